@@ -54,7 +54,11 @@ def observed(readings: int, axes: dict[str, tuple[float, float]]) -> Observation
     low, high = (np.array([travel[end] for travel in axes.values()])[:, np.newaxis] for end in (0, 1))
     positions = source.uniform(low, high, (len(axes), readings))
     return Observations(
-        "", runs, source.integers(0, len(runs), readings), positions, source.normal(0.0, NOISE, readings)
+        source="",
+        runs=runs,
+        run=source.integers(0, len(runs), readings),
+        positions=positions,
+        reading=source.normal(0.0, NOISE, readings),
     )
 
 

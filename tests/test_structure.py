@@ -12,7 +12,7 @@ LONGEST_FILE, LONGEST_FUNCTION, DEEPEST = 300, 60, 4
 MOST_POSITIONAL = 4  # fields that a reader of a call can tell apart by their order
 EMITTED = "# Generated from "  # how a file begins that nobody writes or reads line by line
 # Rooms whose records and longest files wait for other work on them.
-WAITING = ("controllers", "diagnosis", "estimation", "identification")
+WAITING = ()
 _NESTING = (ast.If, ast.For, ast.While, ast.With, ast.Try, ast.Match)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 

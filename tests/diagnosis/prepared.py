@@ -20,7 +20,7 @@ from trueaxis.diagnosis.projection import Projection, spanned
 from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signatures import Readings, readings_of
+from trueaxis.diagnosis.signature import Readings, readings_of
 from trueaxis.diagnosis.whiten import MODES, SETTLED, RunNoise, Whitening, whitening
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.data import MeasuredData, read_data
@@ -128,7 +128,18 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
     runs = [run_noise(noise, run.rows.steps, run.rows.passed, settles) for run in null.runs]
     white = whitening(rows.run, runs, null.own)
     names = dict.fromkeys(run.instrument for run in null.runs)
-    told = [NoiseOf(name, noise.white, noise.slow, 0.0, settles, MANY, "given") for name in names]
+    told = [
+        NoiseOf(
+            instrument=name,
+            white=noise.white,
+            correlated=noise.slow,
+            correlation=0.0,
+            settles=settles,
+            freedom=MANY,
+            origin="given",
+        )
+        for name in names
+    ]
     base = Projection(spanned(null.columns.whitened(white)))
     return Field(readings_of(model, rows), null, white, base, freedom_of(rows, white.sigma, told))
 

@@ -12,7 +12,8 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.search import WORTH_ZOOMING
-from trueaxis.diagnosis.signatures import readings_of, signature_of
+from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
 
 

@@ -10,8 +10,8 @@ from scipy.stats import kstest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
 from trueaxis.diagnosis.checks import run_checks, structures
-from trueaxis.diagnosis.result import Check, StructureClass
 from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.reporting.diagnosis.structures import check_name
 
 FloatArray = npt.NDArray[np.float64]

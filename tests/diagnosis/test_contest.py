@@ -10,7 +10,8 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 
 PLAN = Design(lines=2, repeats=2, targets=15, ball_bar=False)

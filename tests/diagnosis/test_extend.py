@@ -22,7 +22,9 @@ from trueaxis.model.model import load_model
 
 
 class TestNamed:
-    RIVAL = Evidence(Effect(kind="servo_lag", component="EXX"), 5.0, 1e-6, 1.0, 100)
+    RIVAL = Evidence(
+        effect=Effect(kind="servo_lag", component="EXX"), evidence=5.0, p_value=1e-6, tries=1.0, freedom=100
+    )
 
     def test_causes_that_were_named_extend_the_machine(self) -> None:
         causes = (

@@ -30,7 +30,13 @@ def cause(
     effect = Effect(kind=kind, component=component, runs=runs)
     values = np.array([size]) if kind == "backlash" else np.array([size, float(TIME[ROWS.of_run(1)].mean())])
     signal, _ = parameter_signature(WHERE.readings, effect, values)
-    return Fitted(effect, WHERE.readings.model.machine.kinds[kind], values, np.full(values.size, SIGMA / 100), signal)
+    return Fitted(
+        effect=effect,
+        kind=WHERE.readings.model.machine.kinds[kind],
+        values=values,
+        u=np.full(values.size, SIGMA / 100),
+        signal=signal,
+    )
 
 
 def fit_of(values: FloatArray, causes: tuple[Fitted, ...] = (), rows: BoolArray = EVERY) -> Fit:

@@ -10,7 +10,8 @@ from scipy.integrate import solve_ivp
 from tests.diagnosis.prepared import field
 from trueaxis.diagnosis.imperfection import imperfection, imperfections
 from trueaxis.diagnosis.refit import Fitted
-from trueaxis.diagnosis.signatures import Readings, parameter_signature
+from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 
 FloatArray = npt.NDArray[np.float64]
@@ -23,7 +24,9 @@ def readings() -> Readings:
 def fitted(effect: Effect, values: Sequence[float]) -> Fitted:
     kind = readings().model.machine.kinds[effect.kind]
     at = np.array(values)
-    return Fitted(effect, kind, at, np.ones_like(at), parameter_signature(readings(), effect, at)[0])
+    return Fitted(
+        effect=effect, kind=kind, values=at, u=np.ones_like(at), signal=parameter_signature(readings(), effect, at)[0]
+    )
 
 
 def holds(columns: FloatArray, wanted: FloatArray, tolerance: float = 1e-9) -> bool:

@@ -13,7 +13,8 @@ from trueaxis.diagnosis.extend import named_effects, start_values
 from trueaxis.diagnosis.instruments import Off, _chance, _Unknown, instruments_off
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
 
@@ -111,7 +112,17 @@ def test_a_ball_in_another_place_is_named_with_that() -> None:
 
 def test_one_that_stands_alone_may_have_any_size_unless_its_device_says() -> None:
     bar = "ballbar length"
-    alone = _Unknown(bar, 0, (0,), 20e-3, SET_UP_FACTOR, 60e-3, 1e-3, np.zeros(1), 3600.0)
+    alone = _Unknown(
+        kind=bar,
+        of=0,
+        runs=(0,),
+        size=20e-3,
+        factor=SET_UP_FACTOR,
+        value=60e-3,
+        u=1e-3,
+        column=np.zeros(1),
+        squares=3600.0,
+    )
     assert _chance(alone, ()) > 0.1
     assert _chance(replace(alone, size=1e-3, factor=STATED_FACTOR), ()) < 1e-4
     others = [replace(alone, of=k, value=value) for k, value in enumerate((1e-3, -1e-3, 5e-4, 0.0, -5e-4, 1e-3))]

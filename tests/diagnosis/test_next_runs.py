@@ -15,9 +15,10 @@ from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.next_runs import Ahead, is_of_use, next_runs, separating_run
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
-from trueaxis.diagnosis.result import Check, Diagnosis, NoiseOf, StructureClass
+from trueaxis.diagnosis.result import Diagnosis, NoiseOf
 from trueaxis.diagnosis.separation import separation, told
 from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.context import context_of
 
@@ -172,23 +173,43 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     prospect = ahead_in(field(WHOLE))
     nothing = Audit((), (), np.zeros((0, 0)))
     checks = (
-        Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3),
-        Check(StructureClass.CIRCLE_FEED, "XY", 1e-5, fired=True, rms=1e-3),
-        Check(StructureClass.LINE_BY_LINE, "X", 0.5, fired=False, rms=0.0),
+        Check(structure=StructureClass.LINE_LOCAL, place="Y", p_value=1e-9, fired=True, rms=1e-3),
+        Check(structure=StructureClass.CIRCLE_FEED, place="XY", p_value=1e-5, fired=True, rms=1e-3),
+        Check(structure=StructureClass.LINE_BY_LINE, place="X", p_value=0.5, fired=False, rms=0.0),
     )
-    noise = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 10.0, "courses"),)
+    noise = (
+        NoiseOf(
+            instrument="laser",
+            white=SIGMA,
+            correlated=0.0,
+            correlation=0.0,
+            settles=0.0,
+            freedom=10.0,
+            origin="courses",
+        ),
+    )
     found = next_runs(prospect, nothing, (), checks, noise)
     assert [one.check for one in found] == [*checks[:2], None]
     assert found[2].instrument == "laser"
     courses = (
-        Check(StructureClass.LINE_TEMPERATURE, "Z", 1e-9, fired=True, rms=1e-3),
-        Check(StructureClass.CIRCLE_COURSE, "XY", 1e-8, fired=True, rms=1e-3),
-        Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3),  # nothing in particular to measure
+        Check(structure=StructureClass.LINE_TEMPERATURE, place="Z", p_value=1e-9, fired=True, rms=1e-3),
+        Check(structure=StructureClass.CIRCLE_COURSE, place="XY", p_value=1e-8, fired=True, rms=1e-3),
+        Check(
+            structure=StructureClass.LACK_OF_FIT, place="laser", p_value=1e-7, fired=True, rms=1e-3
+        ),  # nothing in particular to measure
     )
     assert [one.check for one in next_runs(prospect, nothing, (), courses, ())] == [*courses]
     repeated = (
-        NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats"),
-        NoiseOf("probe", SIGMA, 0, 0, 0, 1e6, "given"),
+        NoiseOf(
+            instrument="laser",
+            white=SIGMA,
+            correlated=0.0,
+            correlation=0.0,
+            settles=0.0,
+            freedom=100.0,
+            origin="repeats",
+        ),
+        NoiseOf(instrument="probe", white=SIGMA, correlated=0, correlation=0, settles=0, freedom=1e6, origin="given"),
     )
     assert next_runs(prospect, nothing, (), (), repeated) == ()
     named = Ahead(Effect(kind="backlash", component="EXX"), (), 1e-3, None)

@@ -17,7 +17,7 @@ from trueaxis.cli.main import main
 from trueaxis.diagnosis import checks_of_runs, gain, imperfection, search, stale, verdict
 from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnosis.base import DEGREE
-from trueaxis.diagnosis.result import Check, StructureClass
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
 from trueaxis.estimation.instruments import CLASSES
@@ -220,4 +220,6 @@ def test_every_class_of_structure_is_listed_with_its_id() -> None:
     assert [name for name, _ in listed] == [one.value for one in StructureClass]
     nouns = {"axis": "lines of", "plane": "circles of", "run": "run", "instrument": "readings of the"}
     for name, place in listed:
-        assert check_name(Check(StructureClass(name), "?", 1.0, fired=False, rms=0.0)).startswith(nouns[place])
+        assert check_name(
+            Check(structure=StructureClass(name), place="?", p_value=1.0, fired=False, rms=0.0)
+        ).startswith(nouns[place])

@@ -16,7 +16,8 @@ from trueaxis.diagnosis import prepared
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Prepared, inner_of
 from trueaxis.diagnosis.scan import Scanned, residual_of, scanned
-from trueaxis.diagnosis.signatures import Signature, signature_of
+from trueaxis.diagnosis.signature import Signature
+from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 

@@ -10,7 +10,8 @@ import pytest
 from tests.diagnosis.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.signatures import Readings, parameter_signature, readings_of, signature_of
+from trueaxis.diagnosis.signature import Readings, readings_of
+from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.circularity import circularity
 

@@ -9,7 +9,8 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.result import Stale
-from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.diagnosis.stale import _Asked, clearest, stale_values
 from trueaxis.effects.kind import Effect
 

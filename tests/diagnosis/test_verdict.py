@@ -6,9 +6,10 @@ from scipy.stats import norm
 
 from tests.diagnosis.prepared import SIGMA, field
 from trueaxis.diagnosis.refit import Fitted, refit
-from trueaxis.diagnosis.result import Check, Stale, StructureClass
+from trueaxis.diagnosis.result import Stale
 from trueaxis.diagnosis.search import search
 from trueaxis.diagnosis.signatures import parameter_signature
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.diagnosis.verdict import explained_share, names_stand, verdict_of
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
@@ -21,11 +22,17 @@ DIRECTION, TEMPERATURE, RIPPLE = (
 
 
 def check(structure: StructureClass, fired: bool = True, excess: float = 0.0) -> Check:
-    return Check(structure, "X", 1e-9 if fired else 0.5, fired, 1e-4, excess)
+    return Check(structure=structure, place="X", p_value=1e-9 if fired else 0.5, fired=fired, rms=1e-4, excess=excess)
 
 
 def cause(kind: str, component: str = "EXX") -> Fitted:
-    return Fitted(Effect(kind=kind, component=component), BY_NAME[kind], np.ones(1), np.ones(1), np.ones(3))
+    return Fitted(
+        effect=Effect(kind=kind, component=component),
+        kind=BY_NAME[kind],
+        values=np.ones(1),
+        u=np.ones(1),
+        signal=np.ones(3),
+    )
 
 
 @pytest.mark.parametrize(
@@ -82,7 +89,7 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
 
 def test_verdicts() -> None:
     where = field()
-    stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, "mm", 1e-9)]
+    stale = [Stale(component="EYY", first=100.0, last=200.0, value=1e-3, u=1e-4, unit="mm", p_value=1e-9)]
     column = parameter_signature(where.readings, Effect(kind="backlash", component="EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))

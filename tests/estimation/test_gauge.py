@@ -20,7 +20,13 @@ MACHINES = sorted(path.stem for path in (ROOT / "machines").glob("*.toml"))
 @pytest.mark.parametrize("name", MACHINES)
 def test_it_moves_no_point_of_the_tool(name: str) -> None:
     model = load_model(ROOT / "machines" / f"{name}.toml", None, ROOT / "generated")
-    nothing = Observations("", (), np.zeros(0, dtype=np.int64), np.zeros((len(model.axes), 0)), np.zeros(0))
+    nothing = Observations(
+        source="",
+        runs=(),
+        run=np.zeros(0, dtype=np.int64),
+        positions=np.zeros((len(model.axes), 0)),
+        reading=np.zeros(0),
+    )
     known = ErrorValues(machine=model.name, parameters=dict.fromkeys(model.dimensions, 50.0))
     layout = layout_of(model.with_values(known), nothing, known)
     draw = np.random.default_rng(5)
@@ -39,7 +45,13 @@ def test_it_moves_no_point_of_the_tool(name: str) -> None:
 def test_the_tool_tip_moves_as_before_on_the_exact_model(name: str) -> None:
     """Of a machine drawn from the prior. The linear map alone is off by 0.5 to 30 nm."""
     model = load_model(ROOT / "machines" / f"{name}.toml", None, ROOT / "generated")
-    nothing = Observations("", (), np.zeros(0, dtype=np.int64), np.zeros((len(model.axes), 0)), np.zeros(0))
+    nothing = Observations(
+        source="",
+        runs=(),
+        run=np.zeros(0, dtype=np.int64),
+        positions=np.zeros((len(model.axes), 0)),
+        reading=np.zeros(0),
+    )
     known = ErrorValues(machine=model.name, parameters=dict.fromkeys(model.dimensions, 50.0))
     layout = layout_of(model.with_values(known), nothing, known)
     draw = np.random.default_rng(7)

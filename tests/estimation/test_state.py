@@ -76,7 +76,7 @@ def test_steps_end_at_a_ball_that_is_far_from_where_it_was_set_up() -> None:
     angle = 2.0 * np.pi * np.arange(48) / 48.0
     ball = 150.0 * np.array([np.cos(angle), np.sin(angle)])
     reading = np.hypot(*(ball - np.array([[12.0], [-16.0]]))) - 150.0
-    data = Observations("", (run,), np.zeros(48, dtype=np.int64), at, reading)
+    data = Observations(source="", runs=(run,), run=np.zeros(48, dtype=np.int64), positions=at, reading=reading)
     state, _, _ = begun(data, SQUARE)
     layout = replace(state.layout, sizes=np.where(np.arange(state.layout.count) < state.layout.of_machine, 1e-9, 100.0))
     sizes = Sizes(layout, state.own_kinds)

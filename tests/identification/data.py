@@ -110,7 +110,13 @@ def observed(machine: Generator, runs: Sequence[Run], positions: Sequence[FloatA
                 value = laser(machine, pose, run.home, direction=run.direction, frame=run.frame, **ends)
             readings.append(float(value))
     index = np.repeat(np.arange(len(runs)), [at.shape[1] for at in positions])
-    return Observations("readings.csv", tuple(runs), index, np.hstack(list(positions)), np.array(readings))
+    return Observations(
+        source="readings.csv",
+        runs=tuple(runs),
+        run=index,
+        positions=np.hstack(list(positions)),
+        reading=np.array(readings),
+    )
 
 
 def paper_data(machine: Generator, count: int = 10, p9: Vector = P9_REGULAR) -> Observations:
@@ -162,9 +168,9 @@ def noisy(data: Observations, seed: int, sigma: float = 3e-4) -> Observations:
 def joined(*parts: Observations) -> Observations:
     starts = np.cumsum([0, *(len(part.runs) for part in parts)])
     return Observations(
-        "readings.csv",
-        tuple(run for part in parts for run in part.runs),
-        np.concatenate([part.run + start for part, start in zip(parts, starts, strict=False)]),
-        np.hstack([part.positions for part in parts]),
-        np.concatenate([part.reading for part in parts]),
+        source="readings.csv",
+        runs=tuple(run for part in parts for run in part.runs),
+        run=np.concatenate([part.run + start for part, start in zip(parts, starts, strict=False)]),
+        positions=np.hstack([part.positions for part in parts]),
+        reading=np.concatenate([part.reading for part in parts]),
     )

@@ -62,7 +62,12 @@ def drawn(rng: np.random.Generator, name: str, lines: int, circles: int, count: 
     reading = expected_readings(model.with_values(truth), runs, index, at) + rng.normal(
         0.0, noise_um * 1e-3, index.size
     )
-    return Drawn(model, Observations("readings.csv", tuple(runs), index, at, reading), truth, noise_um)
+    return Drawn(
+        model,
+        Observations(source="readings.csv", runs=tuple(runs), run=index, positions=at, reading=reading),
+        truth,
+        noise_um,
+    )
 
 
 def errors(rng: np.random.Generator, model: MachineModel) -> ErrorValues:

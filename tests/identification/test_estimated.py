@@ -225,7 +225,9 @@ def test_the_memory_of_a_pass_does_not_grow_with_the_readings_of_a_run() -> None
     for count in (24_000, 48_000):  # in pieces, both
         positions = source.uniform(0.0, [[540.0], [700.0], [600.0]], (3, count))
         run = np.zeros(count, dtype=np.int64)
-        data = Observations("", paper_runs()[:1], run, positions, source.normal(0.0, 1e-3, count))
+        data = Observations(
+            source="", runs=paper_runs()[:1], run=run, positions=positions, reading=source.normal(0.0, 1e-3, count)
+        )
         layout = layout_of(model.with_values(given), data, given)
         state = started(layout, tuple(measured_runs(data)), given, {0: 1e-3})
         tracemalloc.start()

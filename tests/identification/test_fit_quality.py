@@ -40,12 +40,12 @@ def residuals(of_a: float, of_b: float, noise: float | None = 1e-3, size: float 
     """A hundred readings of each run, with that residual each, mm."""
     squares = np.repeat([of_a**2, of_b**2], 100)
     return Residuals(
-        np.repeat([0, 1], 100),
-        np.ones(200),
-        squares,
-        None if noise is None else np.full(200, noise),
-        None if size is None else np.full(200, size),
-        150,
+        run=np.repeat([0, 1], 100),
+        count=np.ones(200),
+        squares=squares,
+        noise=None if noise is None else np.full(200, noise),
+        size=None if size is None else np.full(200, size),
+        freedom=150,
     )
 
 
@@ -75,7 +75,14 @@ def test_a_good_fit_of_many_readings_is_no_misfit() -> None:
     rng = np.random.default_rng(1)
     many = 100_000
     squares = rng.normal(0.0, 1.02e-3, many) ** 2  # 2 % more than the noise: a p-value of zero
-    one = Residuals(np.zeros(many, dtype=np.int64), np.ones(many), squares, np.full(many, 1e-3), None, many - 100)
+    one = Residuals(
+        run=np.zeros(many, dtype=np.int64),
+        count=np.ones(many),
+        squares=squares,
+        noise=np.full(many, 1e-3),
+        size=None,
+        freedom=many - 100,
+    )
     assert quality(one, RUNS).fit.state == "converged"
 
 
@@ -313,6 +320,8 @@ def test_a_coarse_display_is_no_copy() -> None:
     count = 300
     positions = np.repeat(np.arange(100.0), 3)[np.newaxis] * np.ones((3, 1))
     run = np.zeros(count, dtype=np.int64)
-    coarse = Observations("data", RUNS, run, positions, np.round(draw.normal(0.0, 3e-4, count), 4))
+    coarse = Observations(
+        source="data", runs=RUNS, run=run, positions=positions, reading=np.round(draw.normal(0.0, 3e-4, count), 4)
+    )
     assert copied_runs(coarse).size == 0
     assert copied_runs(replace(coarse, reading=np.repeat(draw.normal(size=100), 3))).tolist() == [0]

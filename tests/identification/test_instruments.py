@@ -165,7 +165,13 @@ def test_unknowns_that_no_reading_holds_are_not_reported() -> None:
     """A circle in the plane of its ball says nothing of the height of the ball, but of its centre in the plane."""
     run = bar("xy", 612.5 - 10.0 - 12.5 - 190.0)
     at = circle(run, (0, 1), 24)
-    flat = Observations("", (run,), np.zeros(24, dtype=np.int64), at, 0.02 * np.cos(np.arange(24) * np.pi / 12.0))
+    flat = Observations(
+        source="",
+        runs=(run,),
+        run=np.zeros(24, dtype=np.int64),
+        positions=at,
+        reading=0.02 * np.cos(np.arange(24) * np.pi / 12.0),
+    )
     found = identify_estimated(
         dmu60p_model(), flat, with_estimation(replace(REAL, noise=NoiseModel(um=0.3)), prior=True)
     )
@@ -254,7 +260,13 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
                 rest = rest - truth.coordinates("workpiece", frame, home, ball, actual)
                 moved.append(target - rest)
             readings.append(float(direction @ (moved[0] - moved[1] + zero)))
-    data = Observations("", tuple(runs), np.repeat(np.arange(3), turns.size), np.hstack([at] * 3), np.array(readings))
+    data = Observations(
+        source="",
+        runs=tuple(runs),
+        run=np.repeat(np.arange(3), turns.size),
+        positions=np.hstack([at] * 3),
+        reading=np.array(readings),
+    )
     found = [one for one in shared_unknowns(runs, range(3), [False] * 3) if one.kind != "probe alignment"]
     of_sphere = [1.0] * 3 if frame == "bed" else []  # the frame of the workpiece carries the sphere: there it is a zero
     assert [unknown.kind for unknown in found] == ["probe origin"] * 3 + ["probe sphere"] * len(of_sphere)

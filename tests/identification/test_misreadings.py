@@ -9,7 +9,7 @@ def contradicting(count: int, *, zeros_free: float = 1.0, moved: float = 1e-3) -
 
 
 def test_ten_runs_are_listed_and_the_others_counted() -> None:
-    assert str(contradicting(1)).startswith("run X1 contradicts all others, by 12 times the noise; without it the tool")
+    assert str(contradicting(1)).startswith("run X1 contradicts all others, by 12 standard deviations of what")
     assert "X9 and X10 contradict all others" in str(contradicting(10))
     assert "X9, X10 and 2 more contradict all others" in str(contradicting(12))
 

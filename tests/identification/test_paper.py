@@ -237,7 +237,11 @@ def test_repeats_are_averaged_and_give_the_noise() -> None:
     machine, data = dmu60p(), paper_data(generator(cubic_errors()), 4)
     noise = np.random.default_rng(5).normal(0.0, 0.5e-3, (8, data.reading.size))
     repeated = Observations(
-        data.source, data.runs, np.tile(data.run, 8), np.tile(data.positions, 8), (data.reading + noise).ravel()
+        source=data.source,
+        runs=data.runs,
+        run=np.tile(data.run, 8),
+        positions=np.tile(data.positions, 8),
+        reading=(data.reading + noise).ravel(),
     )
     found = identify_paper(machine, repeated, KNOWN)
     mean = identify_paper(machine, replace(data, reading=(data.reading + noise).mean(axis=0)), KNOWN)
@@ -266,11 +270,11 @@ def test_order_of_rows_and_runs_does_not_matter(seed: int) -> None:
     rows, runs = source.permutation(data.reading.size), source.permutation(len(data.runs))
     place = np.argsort(runs)
     mixed = Observations(
-        data.source,
-        tuple(data.runs[i] for i in runs),
-        place[data.run[rows]],
-        data.positions[:, rows],
-        data.reading[rows],
+        source=data.source,
+        runs=tuple(data.runs[i] for i in runs),
+        run=place[data.run[rows]],
+        positions=data.positions[:, rows],
+        reading=data.reading[rows],
     )
     other = identify_paper(machine, mixed, CONVENTION)
     for name, curve in base.values.motion_errors.items():
@@ -301,11 +305,11 @@ def test_ball_bar_runs_are_left_out_and_alone_refused() -> None:
     )
     laser = paper_data(generator(cubic_errors()), 4)
     both = Observations(
-        laser.source,
-        (*laser.runs, bar),
-        np.append(laser.run, len(laser.runs)),
-        np.hstack([laser.positions, [[100.0], [0.0], [0.0]]]),
-        np.append(laser.reading, 0.01),
+        source=laser.source,
+        runs=(*laser.runs, bar),
+        run=np.append(laser.run, len(laser.runs)),
+        positions=np.hstack([laser.positions, [[100.0], [0.0], [0.0]]]),
+        reading=np.append(laser.reading, 0.01),
     )
     found = identify_paper(dmu60p(), both, KNOWN)
     assert found.report.left_out == ("bar",)

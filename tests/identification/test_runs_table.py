@@ -30,7 +30,8 @@ def residuals(reading: np.ndarray, *, known: bool) -> Residuals:
     noise = np.full(reading.size, 1e-3)
     run = np.repeat(np.arange(len(reading)), EACH)
     return Residuals(
-        run, np.ones(run.size), reading.ravel() ** 2, noise if known else None, None, run.size, (), noise
+        run=run, count=np.ones(run.size), squares=reading.ravel() ** 2, noise=noise if known else None, size=None,
+        freedom=run.size, copied=(), estimated=noise,
     )  # fmt: skip
 
 

@@ -141,7 +141,11 @@ def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
     """Pure error, by hand: variance within the places. Degree 1 fits badly, which the noise must not hear of."""
     data = scattered()
     tripled = Observations(
-        data.source, data.runs, np.tile(data.run, 3), np.tile(data.positions, 3), np.tile(data.reading, 3)
+        source=data.source,
+        runs=data.runs,
+        run=np.tile(data.run, 3),
+        positions=np.tile(data.positions, 3),
+        reading=np.tile(data.reading, 3),
     )
     noise = np.random.default_rng(1).normal(0.0, 3e-4, tripled.reading.size)
     tripled = replace(tripled, reading=tripled.reading + noise)
@@ -166,11 +170,11 @@ def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
 def test_readings_approached_from_both_sides_are_no_repeats() -> None:
     data = scattered()
     twice = Observations(
-        data.source,
-        data.runs,
-        np.tile(data.run, 2),
-        np.tile(data.positions, 2),
-        np.concatenate([data.reading, data.reading + 0.01]),
+        source=data.source,
+        runs=data.runs,
+        run=np.tile(data.run, 2),
+        positions=np.tile(data.positions, 2),
+        reading=np.concatenate([data.reading, data.reading + 0.01]),
         directions=np.repeat(np.array([[1], [-1]], dtype=np.int8), data.reading.size, axis=0).reshape(1, -1),
     )
     squares, freedom = pure_error(twice, np.zeros(twice.reading.size, dtype=np.int64), 1)

@@ -68,12 +68,12 @@ def probe_data(sense_of_b: int = 1) -> Observations:
     n = angles.shape[1]
     reading = -(centres - centres[:, :1])
     return Observations(
-        str(FILE),
-        runs,
-        np.tile(np.arange(3), n),
-        np.repeat(at, 3, axis=1),
-        np.ascontiguousarray(reading.T).ravel(),
-        np.repeat(np.arange(1, n + 1), 3),
+        source=str(FILE),
+        runs=runs,
+        run=np.tile(np.arange(3), n),
+        positions=np.repeat(at, 3, axis=1),
+        reading=np.ascontiguousarray(reading.T).ravel(),
+        seq=np.repeat(np.arange(1, n + 1), 3),
     )
 
 

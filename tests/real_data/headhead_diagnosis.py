@@ -18,7 +18,8 @@ from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis, FloatArray
 from trueaxis.diagnosis.rows import Rows, rows_of
-from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 from trueaxis.io.faults import Faults
 from trueaxis.machine.read import parse_machine

@@ -6,9 +6,9 @@ import numpy as np
 
 from trueaxis.diagnosis.at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnosis.audit import Audit
-from trueaxis.diagnosis.result import Absence
+from trueaxis.diagnosis.of_plan import Absence
 from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.signatures import Readings
+from trueaxis.diagnosis.signature import Readings
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Kind
 

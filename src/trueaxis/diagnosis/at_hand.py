@@ -17,7 +17,7 @@ ALONG = 1.0 - 1e-6  # cosine from which a line is sensed along its motion
 RETURNING = 0.1  # share of its way that a run goes back, from which on it shows both directions
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Line:
     """One pass there and back of a line. axis: the one that moves; motion: (3,), unit
     direction of the ideal motion of target against reference, in the measuring frame.
@@ -42,7 +42,15 @@ def lines_at_hand(model: MachineModel, rows: Rows) -> list[Line]:
         positions = np.ascontiguousarray(rows.positions[:, first])
         motion = motion_of(model, run, positions)
         if is_along(run, motion):
-            found.append(Line(rows.axes[moving[0]], run, positions, rows.directions[:, first], motion))
+            found.append(
+                Line(
+                    axis=rows.axes[moving[0]],
+                    run=run,
+                    positions=positions,
+                    directions=rows.directions[:, first],
+                    motion=motion,
+                )
+            )
     return found
 
 
@@ -59,7 +67,7 @@ def motion_of(model: MachineModel, run: Run, positions: FloatArray) -> FloatArra
     return farthest / size if size > 0.0 else farthest
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Round:
     """A run of a ball bar. plane: the axes that move, such as XY; sense: +1 where the polar angle grows; feed: mm/min,
     NaN where unknown; returns: whether it goes there and back.
@@ -89,7 +97,17 @@ def rounds_at_hand(model: MachineModel, rows: Rows) -> list[Round]:
         plane = "ZX" if moving == "XZ" else moving
         feed = np.nan if rows.feed is None else float(np.median(rows.feed[first]))
         sense, returns = _sense(model, run, positions)
-        found.append(Round(plane, sense, feed, run, positions, rows.directions[:, first], returns))
+        found.append(
+            Round(
+                plane=plane,
+                sense=sense,
+                feed=feed,
+                run=run,
+                positions=positions,
+                directions=rows.directions[:, first],
+                returns=returns,
+            )
+        )
     return found
 
 

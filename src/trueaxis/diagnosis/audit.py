@@ -11,10 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.of_plan import Limit, Observability
 from trueaxis.diagnosis.projection import Projection, orthonormal
-from trueaxis.diagnosis.result import FloatArray, IntArray, Limit, Observability
+from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signatures import Signature, signature_of
+from trueaxis.diagnosis.signature import Signature
+from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
@@ -35,7 +37,7 @@ class Audit:
     correlation: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Seen:
     """A candidate that can be seen. bases: (n, k) each, of what the base leaves at the points of its grid; strength:
     lambda per amplitude, at the middle one.
@@ -72,7 +74,15 @@ def audit(ground: Ground) -> Audit:
         if signature.missing or share <= UNOBSERVABLE:
             limits[effect] = _unobservable(ground, effect, share, signature.missing)
             continue
-        seen.append(_Seen(effect, signature.points, tuple(_basis(rest[:, part]) for part in parts), left / k, share))
+        seen.append(
+            _Seen(
+                effect=effect,
+                points=signature.points,
+                bases=tuple(_basis(rest[:, part]) for part in parts),
+                strength=left / k,
+                share=share,
+            )
+        )
     r2, place_of = _alike(seen)
     for place, one in enumerate(seen):
         others = r2[place].copy()
@@ -156,13 +166,35 @@ def _limit(ground: Ground, one: _Seen, nearest: _Seen | None, r2: float, place: 
     state: Observability = "confounded" if r2 > CONFOUNDED else "observable"
     rival, at = (None, {}) if nearest is None else (nearest.effect, nearest.points[place])
     isolation = max(detection, isolation)
-    return Limit(one.effect, name, unit, detection, isolation, one.share, rival, r2, state, nearest_at=at)
+    return Limit(
+        effect=one.effect,
+        size=name,
+        unit=unit,
+        detection=detection,
+        isolation=isolation,
+        share=one.share,
+        nearest=rival,
+        r2=r2,
+        state=state,
+        nearest_at=at,
+    )
 
 
 def _unobservable(ground: Ground, effect: Effect, share: float, missing: str) -> Limit:
     name, unit = size_of(ground.readings.model.machine.kinds[effect.kind], effect)
     reason = f"no {missing}" if missing else IN_BASE
-    return Limit(effect, name, unit, np.inf, np.inf, share, None, 0.0, "unobservable", reason)
+    return Limit(
+        effect=effect,
+        size=name,
+        unit=unit,
+        detection=np.inf,
+        isolation=np.inf,
+        share=share,
+        nearest=None,
+        r2=0.0,
+        state="unobservable",
+        reason=reason,
+    )
 
 
 def size_of(kind: Kind, effect: Effect) -> tuple[str, str]:

@@ -100,7 +100,14 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     known = ErrorValues(machine=model.name, parameters=dimensions)
     bare = model.with_values(known)
     observed = Observations(
-        "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context
+        source="",
+        runs=rows.runs,
+        run=rows.run,
+        positions=rows.positions,
+        reading=rows.reading,
+        seq=rows.seq,
+        directions=rows.directions.astype(np.int8),
+        context=rows.context,
     )
     layout = layout_of(bare, observed, known, degree=degree)
     runs = measured_runs(observed)

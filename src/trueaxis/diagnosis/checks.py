@@ -9,8 +9,9 @@ from numpy.polynomial import legendre
 from trueaxis.diagnosis.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.projection import Projection
-from trueaxis.diagnosis.result import BoolArray, Check, FloatArray, StructureClass
+from trueaxis.diagnosis.result import BoolArray, FloatArray
 from trueaxis.diagnosis.rows import Rows, plane_of
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.estimation.tails import log_f_tail
 
@@ -54,7 +55,16 @@ def run_checks(
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
-        found.append(Check(kind, place, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
+        found.append(
+            Check(
+                structure=kind,
+                place=place,
+                p_value=p_value,
+                fired=p_value < FALSE_ALARMS,
+                rms=rms,
+                excess=statistic - k,
+            )
+        )
     found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
     return tuple(found)
 

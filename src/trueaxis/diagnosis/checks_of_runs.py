@@ -4,8 +4,9 @@ import numpy as np
 
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.projection import Projection
-from trueaxis.diagnosis.result import Check, FloatArray, StructureClass
+from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-3  # share of clean data sets in which one check or other may fire
@@ -37,7 +38,9 @@ def humming_run(rows: Rows, projection: Projection, residual: FloatArray, sigma:
             rms = float(np.sqrt(variance)) * float(np.mean(sigma[mine]))
     p_value = min(1.0, least * len(rows.present))
     where = rows.runs[loudest].id
-    return Check(StructureClass.ONE_PERIOD, where, p_value, p_value < SURER * FALSE_ALARMS, rms)
+    return Check(
+        structure=StructureClass.ONE_PERIOD, place=where, p_value=p_value, fired=p_value < SURER * FALSE_ALARMS, rms=rms
+    )
 
 
 def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma: FloatArray, freedom: Freedom) -> Check:
@@ -58,4 +61,11 @@ def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma:
         if p <= p_value and total > MORE * k:
             worst, p_value, excess = str(name), p, total - k
             rms = float(np.sqrt(excess / k)) * float(np.mean(sigma[mine]))
-    return Check(StructureClass.LACK_OF_FIT, worst, p_value, p_value < FALSE_ALARMS, rms, excess)
+    return Check(
+        structure=StructureClass.LACK_OF_FIT,
+        place=worst,
+        p_value=p_value,
+        fired=p_value < FALSE_ALARMS,
+        rms=rms,
+        excess=excess,
+    )

@@ -49,7 +49,12 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     behind = changes.evidence + float(np.log10(max(len(scans), 1)))
     if best is None or best.scan.evidence < ground.threshold or best.scan.preference < behind - RIVAL:
         return None, changes
-    (best,) = with_rivals(tight, Search((best,), scans, free, free.rest(tight.values), ground.threshold)).causes
+    (best,) = with_rivals(
+        tight,
+        Search(
+            causes=(best,), first=scans, projection=free, residual=free.rest(tight.values), threshold=ground.threshold
+        ),
+    ).causes
     tried = [(one, *_instead(tight, null, one, known)) for one in (best.scan, *best.rivals)[:MOST]]
     # an effect that aliases to a slow curve at targets of one distance has any size
     vanishes = tuple(one.effect for one, cause, left in tried if not left.stale and size_is_significant(cause))

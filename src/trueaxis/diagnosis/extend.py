@@ -75,20 +75,39 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
     """All errors of the machine beside the causes named.
 
     Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where a cause
-    is not part of the extended machine, readings that it explains fit no values, which says nothing against them.
+    is not part of the extended machine, readings that it explains fit no values, which says nothing against them; but a
+    run of which an instrument is the cause may have been misread, which then explains all of it.
     """
     effects = named_effects(found)
     extended, named = extend(found), bool(effects)
     start = start_values(found) if named else ()
     try:
-        values, errors, fit = reidentified(extended, model.errors, kept_readings(data, found), start)
+        readings = kept_readings(data, found)
+        values, errors, fit = reidentified(extended, model.errors, readings, start)
     except (NotConvergedError, InputError):
         if named:
             raise
         return Anew()
     whole = len(effects) == len(found.causes)
     wrong = fit.runs if whole and fit is not None and fit.state == "misfit" else ()
+    of_instruments = frozenset(run for one in found.causes for run in one.effect.runs)
+    if of_instruments:
+        wrong = (*wrong, *(run for run in _misread(model, readings) if run in of_instruments))
     return Anew(values if named else None, errors, wrong)
+
+
+def _misread(model: MachineModel, observed: Observations) -> tuple[str, ...]:
+    """Runs that were misread for sure: of the readings as they are, since a change shows no reversed sign."""
+    try:
+        found = identify_estimated(model, observed, IdentifyOptions(known=_dimensions(model, model.errors)))
+    except (NotConvergedError, InputError):
+        return ()
+    return () if found.report.quality is None else found.report.quality.misread
+
+
+def _dimensions(model: MachineModel, given: ErrorValues) -> ErrorValues:
+    parameters = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
+    return ErrorValues(machine=model.name, parameters=parameters)
 
 
 def reidentified(
@@ -102,8 +121,7 @@ def reidentified(
     Dimensions stay. Raises InputError where the readings hold no unknown, NotConvergedError where the estimate does not
     stand still.
     """
-    dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
-    bare = ErrorValues(machine=model.name, parameters=dimensions)
+    bare = _dimensions(model, given)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
     options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start), changes=True))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)

@@ -93,7 +93,7 @@ def _repeats(rows: Rows, mine: IntArray) -> list[list[IntArray]]:
     return [passes for _, passes in found]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Fit:
     """Errors of the machine and sizes of causes from some rows.
 
@@ -125,7 +125,7 @@ def fit(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[F
     r = np.asarray(np.linalg.qr(np.vstack([white, np.column_stack([prior, np.zeros(q)])]), mode="r"))
     refitted = np.concatenate([solve_triangular(r[:p, :p], r[:p, q]), np.zeros(q - p)])
     root = solve_triangular(r[:q, :q], np.eye(q))
-    return Fit(columns, refitted, root @ r[:q, q], root, known)
+    return Fit(columns=columns, refitted=refitted, extended=root @ r[:q, q], root=root, known=known)
 
 
 def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArray) -> Prediction:
@@ -147,7 +147,7 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
 
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:
     """RMS of all rows (fitted on all) and of those held back (fitted on the others)."""
-    return Gain(everything.stage(), held.stage(), split, floor, held.standardised)
+    return Gain(rms=everything.stage(), held_out=held.stage(), split=split, floor=floor, standardised=held.standardised)
 
 
 def gain_by_unit(

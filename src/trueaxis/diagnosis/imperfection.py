@@ -16,7 +16,8 @@ from numpy.polynomial import legendre
 from trueaxis.diagnosis.projection import orthonormal
 from trueaxis.diagnosis.refit import Fitted
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.signatures import Memory, Readings, parameter_signature
+from trueaxis.diagnosis.signature import Memory, Readings
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.variables import SINCE_REVERSAL, VARIABLES
 

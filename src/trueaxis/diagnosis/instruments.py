@@ -46,7 +46,7 @@ MOST = 4  # instruments that are named
 TOLD = 1e-3  # of what is expected of an unknown: information below it is none
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Off:
     """An instrument that is off in the runs of its effect.
 
@@ -60,7 +60,7 @@ class Off:
     signal: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Unknown:
     """As the readings have it. of: what it shares with the other coordinates of a point; runs: by their places in the
     base; size, factor: one standard deviation before, and by what that may be wrong; column: (n,), mm per unit;
@@ -78,7 +78,7 @@ class _Unknown:
     squares: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _OfRun:
     """Of a run, by its place in the base: unknowns of one class; at: (k,), which of its own; value, u: (k,); squares:
     what they explain.
@@ -145,15 +145,15 @@ def _shared(base: Base, columns: ByRun, coefficient: FloatArray, root: FloatArra
         runs = tuple(place[index] for index in unknown.runs if index in place)
         factor = unknown.unknown_class.factor
         yield _Unknown(
-            unknown.kind,
-            k,
-            runs,
-            size,
-            factor,
-            value * size,
-            u * size,
-            columns.take(np.array([k])).dense()[:, 0] / size,
-            (value / u) ** 2,
+            kind=unknown.kind,
+            of=k,
+            runs=runs,
+            size=size,
+            factor=factor,
+            value=value * size,
+            u=u * size,
+            column=columns.take(np.array([k])).dense()[:, 0] / size,
+            squares=(value / u) ** 2,
         )
 
 
@@ -171,7 +171,9 @@ def _own(null: Null, left: FloatArray, columns: ByRun, coefficient: FloatArray, 
         for kind in dict.fromkeys(kinds[np.isin(kinds, list(KINDS))].tolist()):
             at = np.flatnonzero(kinds == kind)
             value, u, squares = _of_class(information, asked, at)
-            by_kind.setdefault(kind, []).append(_OfRun(place, at, value * size[at], u * size[at], squares))
+            by_kind.setdefault(kind, []).append(
+                _OfRun(place=place, at=at, value=value * size[at], u=u * size[at], squares=squares)
+            )
     for kind, members in by_kind.items():
         yield from _together(null, kind, members)
 
@@ -245,9 +247,12 @@ def _unknowns(
         column = np.zeros(null.rows.size)
         for one in group:
             column[null.base.runs[one.place].rows.at] = null.base.own[one.place][:, one.at[k]]
+        size, factor = expected
         yield _Unknown(
-            kind, runs, runs, *expected, float(value[k]), float(u[k]), column, sum(one.squares for one in group)
-        )
+            kind=kind, of=runs, runs=runs, size=size, factor=factor, value=float(value[k]), u=float(u[k]),
+            column=column,
+            squares=sum(one.squares for one in group),
+        )  # fmt: skip
 
 
 def _off(null: Null, point: Sequence[_Unknown], p_value: float) -> Off:
@@ -255,4 +260,4 @@ def _off(null: Null, point: Sequence[_Unknown], p_value: float) -> Off:
     runs = () if kind in OF_ALL_RUNS else tuple(null.base.runs[place].rows.run.id for place in point[0].runs)
     values, u = np.array([(one.value, one.u) for one in point]).T
     signal = np.sum([one.value * one.column for one in point], axis=0)
-    return Off(Effect(kind=kind, runs=runs), values, u, p_value, signal)
+    return Off(effect=Effect(kind=kind, runs=runs), values=values, u=u, p_value=p_value, signal=signal)

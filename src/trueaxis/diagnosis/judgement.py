@@ -14,13 +14,14 @@ from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, what_is_free
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.refit import Fitted, refit
-from trueaxis.diagnosis.result import AmplitudeOf, Check, FloatArray
+from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
 from trueaxis.diagnosis.search import Ground, Search, whitened_columns, with_rivals, without
 from trueaxis.diagnosis.stale import Changes, stale_values
+from trueaxis.diagnosis.structure import Check
 from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Judged:
     """search: with the rivals of causes that are named; causes, groups: those, with their amplitudes; stand: whether
     what was found may be named.
@@ -50,14 +51,14 @@ def judged_causes(
     homogeneous_p = [p for _, p in groups]
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
     if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(size_is_significant, causes)):
-        return Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
-    return without_names(ground, Judged(found, causes, groups, checks, stand=False))
+        return Judged(search=with_rivals(ground, found), causes=causes, groups=groups, checks=checks, stand=True)
+    return without_names(ground, Judged(search=found, causes=causes, groups=groups, checks=checks, stand=False))
 
 
 def without_names(ground: Ground, judged: Judged) -> Judged:
     """With what all checks see beside no cause."""
     checks = _checks(ground, ground.base, ground.base.rest(ground.values)) if judged.causes else judged.checks
-    return Judged(judged.search, (), (), checks, stand=False)
+    return Judged(search=judged.search, causes=(), groups=(), checks=checks, stand=False)
 
 
 def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]) -> tuple[Judged, Changes]:

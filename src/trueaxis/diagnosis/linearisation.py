@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.diagnosis.audit import DETECTION
 from trueaxis.diagnosis.result import FloatArray, SecondOrder
 from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signatures import Readings
+from trueaxis.diagnosis.signature import Readings
 from trueaxis.measurement.reading_geometry import column, sensed_points
 
 

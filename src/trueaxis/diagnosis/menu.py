@@ -30,7 +30,7 @@ GAUGE = 1000.0  # mm, the longest step gauge
 USUAL_FEED = 1000.0  # mm/min, of circles where the readings have no feed
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class FurtherRun:
     """One run of the menu.
 
@@ -63,7 +63,14 @@ def _numbered(one: FurtherRun, number: int) -> FurtherRun:
 def _of_line(line: Line, what: str, **more: object) -> FurtherRun:
     size = line.positions.shape[1]
     standard = FurtherRun(
-        what, line.run, line.positions, line.directions, np.nan, HOUR, READING_S * size, np.zeros(size)
+        what=what,
+        run=line.run,
+        positions=line.positions,
+        directions=line.directions,
+        feed=np.nan,
+        after=HOUR,
+        lasts=READING_S * size,
+        warmer=np.zeros(size),
     )
     return replace(standard, **more)  # type: ignore[arg-type]
 
@@ -148,8 +155,21 @@ def _of_candidate(model: MachineModel, one: Candidate, feed: float) -> FurtherRu
     start = None if home is None or one.run.length is not None else home[:, 0]
     directions = approach_directions(np.arange(size), one.positions, start).astype(np.float64)
     if one.run.length is not None:
-        return _of_round(Round("", 1, feed, one.run, one.positions, directions), feed, one.what)
-    return FurtherRun(one.what, one.run, one.positions, directions, np.nan, HOUR, READING_S * size, np.zeros(size))
+        return _of_round(
+            Round(plane="", sense=1, feed=feed, run=one.run, positions=one.positions, directions=directions),
+            feed,
+            one.what,
+        )
+    return FurtherRun(
+        what=one.what,
+        run=one.run,
+        positions=one.positions,
+        directions=directions,
+        feed=np.nan,
+        after=HOUR,
+        lasts=READING_S * size,
+        warmer=np.zeros(size),
+    )
 
 
 def _of_round(one: Round, feed: float, what: str) -> FurtherRun:
@@ -157,12 +177,12 @@ def _of_round(one: Round, feed: float, what: str) -> FurtherRun:
     size = one.positions.shape[1]
     feed = feed if np.isfinite(feed) else USUAL_FEED
     return FurtherRun(
-        what,
-        one.run,
-        np.ascontiguousarray(one.positions),
-        np.ascontiguousarray(one.directions),
-        feed,
-        HOUR,
-        60.0 * way / feed,
-        np.zeros(size),
+        what=what,
+        run=one.run,
+        positions=np.ascontiguousarray(one.positions),
+        directions=np.ascontiguousarray(one.directions),
+        feed=feed,
+        after=HOUR,
+        lasts=60.0 * way / feed,
+        warmer=np.zeros(size),
     )

@@ -9,10 +9,12 @@ import numpy as np
 from trueaxis.diagnosis.audit import Audit, size_of
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.noise import REPEATS, STATED
+from trueaxis.diagnosis.of_plan import Limit, NextRun, Separating, Told
 from trueaxis.diagnosis.prospect import Outlook, Placed, Prospect, outlooks_of
-from trueaxis.diagnosis.result import Check, Limit, NextRun, NoiseOf, Separating, Told
+from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.search import Found
 from trueaxis.diagnosis.separation import Separation, isolable, largest_reading, separation
+from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.effects.planned import ASSUMED
 

@@ -37,7 +37,7 @@ def noise_of_runs(
     instruments = [one.instrument for one in base.runs]
     names = list(dict.fromkeys(instruments))
     if noise_um is not None:
-        laws, fit = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}, None
+        laws, fit = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None
     else:
         blocks = list(blocks_of(rows, base, values))
         guesses = {name: _guess(blocks, instruments, name) for name in names}
@@ -51,12 +51,23 @@ def noise_of_runs(
         origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
         law = laws[name]
         if law.freedom < 1.0:
-            law, origin = Law(max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
+            law, origin = Law(white=max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
         step = 0.0 if fit is None else _step(rows, base, members)
         times = _readings_of_a_target(rows, base, members)
         typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
         lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
-        told.append(NoiseOf(name, typical.white, typical.slow, lasting, law.settles, law.freedom, origin, law.wanders))
+        told.append(
+            NoiseOf(
+                instrument=name,
+                white=typical.white,
+                correlated=typical.slow,
+                correlation=lasting,
+                settles=law.settles,
+                freedom=law.freedom,
+                origin=origin,
+                wanders=law.wanders,
+            )
+        )
         for place in members:
             run, white = base.runs[place].rows, float(scales[place]) * law.white
             found[place] = RunNoise(

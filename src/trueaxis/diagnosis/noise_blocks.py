@@ -39,7 +39,7 @@ class Shapes:
     settle: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Part:
     """Runs that read the same targets, or one run; of one instrument. rows: of its block; runs: of it, readings of each
     run, which are neighbours; of each of n readings: place: of its run among those of the base; target: of those of the

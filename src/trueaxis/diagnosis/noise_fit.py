@@ -42,7 +42,7 @@ class Guess:
     misfit: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Law:
     """Of an instrument: standard deviations, mm, of white and slow noise, wandering and settling; lasts: typical steps;
     freedom: degrees of freedom that tell it.
@@ -64,7 +64,7 @@ class Found:
     scales: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Told:
     """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,),
     variance of each reading; slow: of unit size, noise: mm^2, of the readings of each run; precision: of all, what is
@@ -172,7 +172,18 @@ class Likelihood:
             squares += weights.T @ inside[:, :-1] @ weights
             of_values += weights.T @ inside[:, -1]
             held.append(through)
-            found.append(_Told(part, shapes, number, white, slowly, noise, precision, through[:, -1]))
+            found.append(
+                _Told(
+                    part=part,
+                    shapes=shapes,
+                    number=number,
+                    white=white,
+                    slow=slowly,
+                    noise=noise,
+                    precision=precision,
+                    weighed=through[:, -1],
+                )
+            )
         factor = factor_of(squares)
         root += float(np.log(np.diag(factor)).sum())
         told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
@@ -249,6 +260,13 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     weight = np.exp(unlikely.min(axis=0) - unlikely)
     slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
     return {
-        name: Law(*map(float, (sizes[k, 0], slow[k], sizes[k, AGE], wanders[k], settles[k], freedom[k])))
+        name: Law(
+            white=float(sizes[k, 0]),
+            slow=float(slow[k]),
+            lasts=float(sizes[k, AGE]),
+            wanders=float(wanders[k]),
+            settles=float(settles[k]),
+            freedom=float(freedom[k]),
+        )
         for k, name in enumerate(names)
     }

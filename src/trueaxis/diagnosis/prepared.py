@@ -12,7 +12,7 @@ import numpy as np
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import runs_among
-from trueaxis.diagnosis.signatures import Signature
+from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
 from trueaxis.estimation.noise import BLOCK
@@ -35,7 +35,7 @@ class Prepared:
     length: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Inner:
     """Whitening and base, without causes. taken: (m, r + s + a) of each run: directions of the base, r, those in which
     readings vary by chance, s, as they are before anything is taken away in the run, and that, a; ends: of each run's r
@@ -65,7 +65,13 @@ def inner_of(whitening: Whitening, base: Projection) -> Inner:
         both -= basis @ (root[:, np.newaxis] * (basis.T @ both))
         taken.append(np.hstack([both, basis * np.sqrt(root * (2.0 - root))]))
     chance = np.sqrt(1.0 - (1.0 - base.shrink) ** 2) if soft.shape[1] else np.zeros(0)
-    return Inner(whitening, tuple(taken), tuple(base.basis.ends.tolist()), base.basis.weights, chance)
+    return Inner(
+        whitening=whitening,
+        taken=tuple(taken),
+        ends=tuple(base.basis.ends.tolist()),
+        weights=base.basis.weights,
+        chance=chance,
+    )
 
 
 def prepared(signature: Signature, inner: Inner) -> Prepared:

@@ -20,7 +20,7 @@ from trueaxis.diagnosis.refit import Fitted, refit
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.diagnosis.search import Each, Found, Ground, Search, likeliest, search
-from trueaxis.diagnosis.signatures import Readings, readings_of
+from trueaxis.diagnosis.signature import Readings, readings_of
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.standing import refitted_columns, standing_effects
 from trueaxis.diagnosis.temperature import smoothed
@@ -33,7 +33,7 @@ from trueaxis.model.model import MachineModel
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class DiagnoseOptions:
     """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
     `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
@@ -104,7 +104,16 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
     on_all, on_others = (fit(null.base, white, values, causes, rows) for rows in (every, ~held))
     of_all = predicted(on_all, white, values, every)
     gain, of_held = gain_by_unit((on_all, on_others), white, values, null.rows, (held, split))
-    return Outcome(ground, null, judged, changes, held, of_all.left, of_held, gain)
+    return Outcome(
+        ground=ground,
+        null=null,
+        judged=judged,
+        changes=changes,
+        held=held,
+        left=of_all.left,
+        predicted=of_held,
+        gain=gain,
+    )
 
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:

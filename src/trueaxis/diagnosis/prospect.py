@@ -25,7 +25,8 @@ from trueaxis.diagnosis.projection import Projection, decomposed
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signatures import Readings, readings_of, signature_of
+from trueaxis.diagnosis.signature import Readings, readings_of
+from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
@@ -58,7 +59,7 @@ class Innovation:
     roots: "tuple[InverseRoot, ...]"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Prospect:
     """The menu, and what it takes to say what each of its runs would tell. readings: at hand, then all of the menu."""
 
@@ -111,12 +112,12 @@ def prospect_of(ground: Ground) -> Prospect:
         roots = inverse_roots(held)
         innovations.append(Innovation(part, held, own, roots))
     return Prospect(
-        ground,
-        further,
-        readings_of(readings.model, everything),
-        whiten,
-        Projection(replace(here, weights=q @ left[:, :rank])),
-        tuple(innovations),
+        ground=ground,
+        further=further,
+        readings=readings_of(readings.model, everything),
+        whitening=whiten,
+        basis=Projection(replace(here, weights=q @ left[:, :rank])),
+        innovations=tuple(innovations),
     )
 
 

@@ -7,7 +7,8 @@ import numpy as np
 
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import Found, Ground
-from trueaxis.diagnosis.signatures import Readings, parameter_signature
+from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect, Kind
 
 STEPS = 12
@@ -16,7 +17,7 @@ HALVINGS = 12
 CONVERGED = 1e-6  # of a standard uncertainty
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Fitted:
     """One cause with its parameters in the order of its kind; u: NaN where the readings do not tell.
 
@@ -56,7 +57,7 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
     spread = np.sqrt(np.diag(covariance))
     spread = np.where(spread > 0.0, spread, np.nan)
     return tuple(
-        Fitted(effect, kind, values[k], u, signals[:, k])
+        Fitted(effect=effect, kind=kind, values=values[k], u=u, signal=signals[:, k])
         for k, (effect, kind, u) in enumerate(zip(effects, kinds, np.split(spread, ends[1:-1]), strict=True))
     )
 

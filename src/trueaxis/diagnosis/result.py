@@ -1,13 +1,14 @@
 """What a diagnosis comes to: plain records, from which report and diagnosis.json are written."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from enum import Enum
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Separating
+from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect
 from trueaxis.model.errors import Determined, ErrorValues
 
@@ -15,11 +16,10 @@ FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
 
-Observability = Literal["observable", "confounded", "unobservable"]
 Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseOf:
     """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
 
@@ -52,32 +52,7 @@ class Estimate:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
-class Limit:
-    """What the audit says of a candidate before any reading is looked at.
-
-    size: name and unit of the amplitude that the limits are of; detection: what reaches the
-    threshold of the evidence half the time; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the
-    part of the signature that the base does not hold (M projects out the base); nearest: the candidate most like it,
-    and r2, the squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95)
-    or `unobservable`; reason: why it is unobservable; nearest_at: searched parameters of the nearest where it is most
-    alike.
-    """
-
-    effect: Effect
-    size: str
-    unit: str
-    detection: float
-    isolation: float
-    share: float
-    nearest: Effect | None
-    r2: float
-    state: Observability
-    reason: str = ""
-    nearest_at: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
     """-log10(p m) of one candidate in one round of the search; threshold: what it had to reach."""
 
@@ -97,7 +72,7 @@ class AmplitudeOf:
     u: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Cause:
     """One named cause, or the best of a set that the readings cannot tell apart.
 
@@ -122,45 +97,6 @@ class Cause:
     separating: "Separating | None"
 
 
-class StructureClass(Enum):
-    """Classes of structure that need no cause; the value is the id in diagnosis.json."""
-
-    LINE_DIRECTION = "line_direction"
-    LINE_DIRECTION_BY_LINE = "line_direction_by_line"
-    LINE_BY_LINE = "line_by_line"
-    LINE_COURSE = "line_course"
-    LINE_TEMPERATURE = "line_temperature"
-    LINE_RIPPLE = "line_ripple"
-    LINE_LOCAL = "line_local"
-    CIRCLE_LOBES = "circle_lobes"
-    CIRCLE_RIPPLE = "circle_ripple"
-    CIRCLE_COURSE = "circle_course"
-    CIRCLE_DIRECTION = "circle_direction"
-    CIRCLE_RIPPLE_DIRECTION = "circle_ripple_direction"
-    CIRCLE_FEED = "circle_feed"
-    CIRCLE_DIRECTION_FEED = "circle_direction_feed"
-    CIRCLE_REVERSALS = "circle_reversals"
-    CIRCLE_AFTER_REVERSALS = "circle_after_reversals"
-    ONE_PERIOD = "one_period"
-    LACK_OF_FIT = "lack_of_fit"  # sees any structure, and says nothing of its kind
-
-
-@dataclass(frozen=True, slots=True)
-class Check:
-    """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks.
-
-    place: axis of lines, plane of circles, run or instrument; rms: of the structure over the readings, mm; excess: its
-    whitened squares beyond those of noise.
-    """
-
-    structure: StructureClass
-    place: str
-    p_value: float
-    fired: bool
-    rms: float
-    excess: float = 0.0
-
-
 @dataclass(frozen=True, slots=True)
 class Outlier:
     """A reading far from what base and repeats say, left out; deviation: mm; z: in standard deviations of the noise."""
@@ -182,7 +118,7 @@ class Stage:
     extended: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Stale:
     """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
     location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
@@ -211,7 +147,7 @@ class GainOfAngles:
     floor: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Gain:
     """What was gained. rms, held_out: of readings of lengths, NaN where there are none; split: how the held-out
     readings were chosen; floor: RMS of the pure error, mm; standardised: root mean square of held-out residuals over
@@ -227,7 +163,7 @@ class Gain:
     angles: GainOfAngles | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Circle:
     """Circularity of a circle by ball bar, mm, ISO 230-4 (largest minus smallest radius about the fitted centre):
     measured; what is left of it without the given, the refitted, the extended model.
@@ -238,63 +174,6 @@ class Circle:
     given: float
     refitted: float
     extended: float
-
-
-@dataclass(frozen=True, slots=True)
-class Told:
-    """From which amplitude on an effect is told from others: with a further run, and without it; infinite: never."""
-
-    effect: Effect
-    unit: str
-    with_run: float
-    without: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Separating:
-    """What would tell a cause from its rivals. run: what to do, empty where no run of those considered would; times:
-    how often; apart, left: rivals that it tells from the cause, and others; told: from the worst of them; needed: how
-    often for the size found; broken_by: what would in general, as the kind has it.
-    """
-
-    run: str = ""
-    times: int = 1
-    apart: tuple[Effect, ...] = ()
-    left: tuple[Effect, ...] = ()
-    told: Told | None = None
-    needed: int = 1
-    broken_by: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NextRun:
-    """A further run that would help, for one of these: pairs: candidates that it tells apart, the first as `told` has
-    it; check: of structure that has no name; instrument: whose noise is not known. run, times: what to do, and how
-    often; empty where the check or the instrument says so.
-    """
-
-    run: str = ""
-    times: int = 1
-    pairs: tuple[tuple[Effect, tuple[Effect, ...]], ...] = ()
-    told: Told | None = None
-    check: Check | None = None
-    instrument: str = ""
-
-
-Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed"]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Absence:
-    """What the data lack. place: column, axis of lines, plane of circles, or instrument; kinds: of effects that cannot
-    be seen; empty: share of readings without the column; lacking: instruments that no run has.
-    """
-
-    lack: Lack
-    place: str = ""
-    kinds: tuple[str, ...] = ()
-    empty: tuple[int, int] = (0, 0)
-    lacking: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -337,7 +216,7 @@ class MeasuredWith:
     temperature_c: tuple[float, float] | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Residuals:
     """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
 
@@ -365,7 +244,7 @@ class Residuals:
     whitened: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
     threshold: evidence that a candidate had to reach; absences: what the data lack; report: what

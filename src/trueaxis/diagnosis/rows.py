@@ -15,7 +15,7 @@ from trueaxis.model.context import Context
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Rows:
     """Readings taken, (n,) each unless said otherwise; rows of one run are neighbours, in the order of reading.
 

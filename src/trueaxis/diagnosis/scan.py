@@ -9,7 +9,7 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.signatures import Signature
+from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import explained
@@ -35,7 +35,7 @@ class Residual:
         return self.freedom.of(signature.support, signature.columns(slice(point, point + 1))[:, 0])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Scanned:
     """One candidate: the best point of its grid.
 

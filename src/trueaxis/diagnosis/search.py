@@ -13,7 +13,8 @@ from trueaxis.diagnosis.prepared import Inner, Prepared, inner_of, prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.scan import Residual, Scanned, residual_of, scanned
-from trueaxis.diagnosis.signatures import Readings, Signature, signature_of
+from trueaxis.diagnosis.signature import Readings, Signature
+from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
 
@@ -49,7 +50,7 @@ class Found:
     rivals: tuple[Scanned, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Search:
     """causes, in order of what they explain; first: every candidate's scan before any cause was taken; projection:
     base and causes; residual: (n,), whitened, what they leave; threshold: of the evidence.
@@ -62,7 +63,7 @@ class Search:
     threshold: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
@@ -121,7 +122,13 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
         causes = _settled(ground, [*causes, best])
     causes.sort(key=lambda one: -one.scan.statistic)
     projection = _with(ground, causes)
-    return Search(tuple(causes), first, projection, projection.rest(ground.values), ground.threshold)
+    return Search(
+        causes=tuple(causes),
+        first=first,
+        projection=projection,
+        residual=projection.rest(ground.values),
+        threshold=ground.threshold,
+    )
 
 
 def likeliest(ground: Ground, found: Search) -> list[Found]:

@@ -26,7 +26,7 @@ class Told:
     r2: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Separation:
     """times: how often the run is taken; told: indices of the rivals that it tells apart; before, after: lambda
     (1 - R^2) against the worst of them.
@@ -73,11 +73,11 @@ def separation(prospect: Prospect, mine: Outlook, rivals: Sequence[Outlook]) -> 
             if apart:
                 found.append(
                     Separation(
-                        further,
-                        TIMES[times],
-                        apart,
-                        min(now[place].strength for place in apart),
-                        min(then[place].strength for place in apart),
+                        further=further,
+                        times=TIMES[times],
+                        told=apart,
+                        before=min(now[place].strength for place in apart),
+                        after=min(then[place].strength for place in apart),
                     )
                 )
         if found:

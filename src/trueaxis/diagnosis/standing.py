@@ -4,7 +4,8 @@ import numpy as np
 
 from trueaxis.diagnosis.refit import Fitted
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.signatures import Readings, parameter_signature
+from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signatures import parameter_signature
 
 
 def standing_effects(readings: Readings) -> tuple[Fitted, ...]:
@@ -15,7 +16,9 @@ def standing_effects(readings: Readings) -> tuple[Fitted, ...]:
         if kind.place != "location":
             values = one.vector(kind)
             signal, _ = parameter_signature(readings, one.effect, values)
-            found.append(Fitted(one.effect, kind, values, np.full(values.size, np.nan), signal))
+            found.append(
+                Fitted(effect=one.effect, kind=kind, values=values, u=np.full(values.size, np.nan), signal=signal)
+            )
     return tuple(found)
 
 

@@ -8,8 +8,9 @@ from scipy.special import chdtri
 from trueaxis.diagnosis.instruments import Off
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.refit import Fitted
-from trueaxis.diagnosis.result import Check, Stale, StructureClass, Verdict
+from trueaxis.diagnosis.result import Stale, Verdict
 from trueaxis.diagnosis.search import Ground, Search, cause_columns
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.variables import SINCE_REVERSAL
 

@@ -59,7 +59,7 @@ class RunNoise:
         return OfOneRun(self.noise, self.steps)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _OfRun:
     """alone: by white and slow noise; aside: (n, k), orthonormal, what is taken away after that, and its share: all of
     the run's own unknowns, so many; of directions in which it varies by chance 1 - 1/sqrt(1 + d^2) of its standard
@@ -78,7 +78,7 @@ class _OfRun:
         return columns
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Whitening:
     """Inverse root of the covariance, one block per run. starts: (n_runs + 1,), first row of each run; runs: noise of
     each, in their order; own: (n_r, k) of each, columns of its own unknowns, mm.
@@ -129,7 +129,7 @@ class Whitening:
                 runs.append(run.only(mine))
                 own.append(columns[mine])
                 starts.append(starts[-1] + int(mine.sum()))
-        return Whitening(np.array(starts, dtype=np.int64), tuple(runs), tuple(own))
+        return Whitening(starts=np.array(starts, dtype=np.int64), runs=tuple(runs), own=tuple(own))
 
     def of_run(self, place: int, columns: FloatArray) -> FloatArray:
         """(m, k): columns of one run whitened."""
@@ -174,7 +174,7 @@ def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
     told = deviation > SLIGHT
     share = np.concatenate([np.ones(own_count), 1.0 - 1.0 / np.hypot(1.0, deviation[told])])
-    return _OfRun(alone, own_count, np.hstack([basis, turned[:, told]]), share, run.sigma)
+    return _OfRun(alone=alone, own=own_count, aside=np.hstack([basis, turned[:, told]]), share=share, sigma=run.sigma)
 
 
 def settling(passed: FloatArray) -> FloatArray:
@@ -193,4 +193,4 @@ def wandering(passed: FloatArray) -> FloatArray:
 def whitening(run: IntArray, runs: Sequence[RunNoise], own: Sequence[FloatArray]) -> Whitening:
     """For rows sorted by run, (n,); runs, own: of the runs present, in order."""
     starts = np.append(np.flatnonzero(np.diff(run, prepend=-1)), run.size)
-    return Whitening(starts.astype(np.int64), tuple(runs), tuple(own))
+    return Whitening(starts=starts.astype(np.int64), runs=tuple(runs), own=tuple(own))

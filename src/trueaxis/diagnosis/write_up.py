@@ -17,20 +17,10 @@ from trueaxis.diagnosis.next_runs import Ahead, ahead_of, next_runs, separating_
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.prospect import Prospect
 from trueaxis.diagnosis.refit import Fitted
-from trueaxis.diagnosis.result import (
-    BoolArray,
-    Cause,
-    Circle,
-    Diagnosis,
-    Estimate,
-    Evidence,
-    Gain,
-    Residuals,
-    Stage,
-)
+from trueaxis.diagnosis.result import BoolArray, Cause, Circle, Diagnosis, Estimate, Evidence, Gain, Residuals, Stage
 from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import Found, Ground
-from trueaxis.diagnosis.signatures import Readings
+from trueaxis.diagnosis.signature import Readings
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
@@ -39,7 +29,7 @@ from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.measurement.circularity import circularity
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Outcome:
     """All that the procedure has found in the readings. held: (n,), rows held back; left: of all rows; predicted: RMS
     of those held back, lengths and angles (at ARM) together, mm.
@@ -95,9 +85,12 @@ def _circles(readings: Readings, left: Left) -> tuple[Circle, ...]:
     for index in (one for one in rows.present if rows.runs[one].instrument == "ballbar"):
         mine = rows.of_run(index)
         theta = readings.reading.theta[mine]
-        parts = (rows.reading, left.given, left.refitted, left.extended)
+        parts = {
+            "measured": rows.reading, "given": left.given, "refitted": left.refitted, "extended": left.extended
+        }  # fmt: skip
         with suppress(ValueError):  # too few of its readings count
-            found.append(Circle(rows.runs[index].id, *(circularity(theta, part[mine]).deviation for part in parts)))
+            each = {name: circularity(theta, part[mine]).deviation for name, part in parts.items()}
+            found.append(Circle(run=rows.runs[index].id, **each))
     return tuple(found)
 
 
@@ -161,7 +154,9 @@ def _found(judged: Judged, fitted: Fitted) -> Found:
 
 
 def _evidence(one: Scanned) -> Evidence:
-    return Evidence(one.effect, max(one.evidence, 0.0), one.p_value, one.tries, one.freedom)
+    return Evidence(
+        effect=one.effect, evidence=max(one.evidence, 0.0), p_value=one.p_value, tries=one.tries, freedom=one.freedom
+    )
 
 
 def _residuals(outcome: Outcome) -> Residuals:

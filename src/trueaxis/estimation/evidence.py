@@ -45,7 +45,7 @@ class _Batch:
     others: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Parted:
     """A batch with its own unknowns integrated out, at given sizes.
 
@@ -74,7 +74,7 @@ class _Parted:
         return np.asarray((self.root**2).sum(axis=2) + (through**2).sum(axis=2))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Point:
     """What readings say at some sizes: value, the logarithm of the marginal likelihood but for a constant; scale: (n,),
     the prior standard deviations, and slope (2, n) their derivative by the shape; mean, spread: (n,), (n, n), in units
@@ -155,7 +155,14 @@ def _parted(batch: _Batch, v: FloatArray, scale: FloatArray) -> _Parted:
     white[:, :, :-1] *= scale
     root = turned.transpose(0, 2, 1) / size[:, np.newaxis, :]
     back = root * singular[:, np.newaxis, :]
-    return _Parted(batch, v, white.reshape(-1, scale.size + 1), back, root, float(np.log(size).sum()))
+    return _Parted(
+        batch=batch,
+        v=v,
+        white=white.reshape(-1, scale.size + 1),
+        back=back,
+        root=root,
+        log_root=float(np.log(size).sum()),
+    )
 
 
 def _point(sizes: Sizes, reduced: Reduced, batches: Sequence[_Batch], x: FloatArray) -> _Point:

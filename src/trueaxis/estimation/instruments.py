@@ -95,7 +95,7 @@ CLASSES: Mapping[str, UnknownClass] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SharedUnknown:
     """An unknown of several runs. of: what tells it from others of its class; coordinate: of a centre, else 0; runs:
     indices; size: one standard deviation, mm or 1, of its class or as the device's table states it.
@@ -192,7 +192,7 @@ def shared_unknowns(
         for key in keys:
             members.setdefault(key, []).append(index)
     return [
-        SharedUnknown(kind, of, tuple(of_runs), k, _shared_size(kind, runs[of_runs[0]]))
+        SharedUnknown(kind=kind, of=of, runs=tuple(of_runs), coordinate=k, size=_shared_size(kind, runs[of_runs[0]]))
         for (kind, of, k), of_runs in members.items()
     ]
 

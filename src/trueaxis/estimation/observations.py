@@ -12,7 +12,7 @@ from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Observations:
     """Readings taken (plan rows left out), one per row.
 
@@ -34,14 +34,14 @@ class Observations:
     def of(self, keep: "IntArray") -> "Observations":
         """Those of some rows."""
         return Observations(
-            self.source,
-            self.runs,
-            self.run[keep],
-            self.positions[:, keep],
-            self.reading[keep],
-            None if self.seq is None else self.seq[keep],
-            None if self.directions is None else self.directions[:, keep],
-            None if self.context is None else self.context.of(keep),
+            source=self.source,
+            runs=self.runs,
+            run=self.run[keep],
+            positions=self.positions[:, keep],
+            reading=self.reading[keep],
+            seq=None if self.seq is None else self.seq[keep],
+            directions=None if self.directions is None else self.directions[:, keep],
+            context=None if self.context is None else self.context.of(keep),
         )
 
 
@@ -52,13 +52,13 @@ def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observ
         remedy = "take them, or make some with simulate"
         raise InputError([Fault(source, "column reading", "is a plan: there is no reading in it", remedy)])
     everything = Observations(
-        source,
-        tuple(runs),
-        readings.run,
-        readings.positions,
-        readings.reading,
-        readings.seq,
-        readings.directions,
-        context_of(runs, readings),
+        source=source,
+        runs=tuple(runs),
+        run=readings.run,
+        positions=readings.positions,
+        reading=readings.reading,
+        seq=readings.seq,
+        directions=readings.directions,
+        context=context_of(runs, readings),
     )
     return everything.of(taken)

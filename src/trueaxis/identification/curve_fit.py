@@ -40,7 +40,7 @@ def _samples(curve: TableCurve) -> Samples:
         u = np.array(curve.u)[away]
         if np.isfinite(u).all() and (u > LEAST_SHARE * u.max(initial=0.0)).all():
             weights = (u.max(initial=0.0) / u) ** 2
-    return Samples(np.array(curve.positions)[away], np.array(curve.values)[away], weights)
+    return Samples(positions=np.array(curve.positions)[away], values=np.array(curve.values)[away], weights=weights)
 
 
 def polynomial_curves(

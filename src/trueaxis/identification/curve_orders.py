@@ -25,7 +25,14 @@ def ordered_curves(
                 powers=one.fit.powers, coefficients=coefficients, u=u, measured=curves[name].measured
             )
     orders = tuple(
-        CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, ErrorName(name).unit)
+        CurveOrderReport(
+            name=name,
+            by_paper=fits[name].after.powers,
+            by_held_out=one.fit.powers,
+            held_out_by_paper=one.rms_optimal,
+            held_out=one.rms,
+            unit=ErrorName(name).unit,
+        )
         for name, one in checked.items()
     )
     return found, notes, orders

@@ -153,15 +153,15 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
         known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
     return Residuals(
-        observed.run,
-        good.astype(np.float64),
-        np.where(good, found.readings.residual, 0.0) ** 2,
-        known,
-        sizes,
-        int(found.readings.freedom),
-        () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
-        estimated,
-        independent,
+        run=observed.run,
+        count=good.astype(np.float64),
+        squares=np.where(good, found.readings.residual, 0.0) ** 2,
+        noise=known,
+        size=sizes,
+        freedom=int(found.readings.freedom),
+        copied=() if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
+        estimated=estimated,
+        independent=independent,
     )
 
 

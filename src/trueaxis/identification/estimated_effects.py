@@ -43,11 +43,11 @@ def effect_reports(values: ErrorValues, found: Estimate) -> tuple[EffectReport, 
             u = one.u.get(parameter.name, np.nan)
             parameters.append(
                 EffectParameterReport(
-                    parameter.name,
-                    one.parameters.get(parameter.name, 0.0),
-                    None if np.isnan(u) else u,
-                    unit_in(parameter.unit, one.effect),
-                    parameter.role,
+                    name=parameter.name,
+                    value=one.parameters.get(parameter.name, 0.0),
+                    u=None if np.isnan(u) else u,
+                    unit=unit_in(parameter.unit, one.effect),
+                    role=parameter.role,
                 )
             )
         reports.append(EffectReport(one.effect.label, tuple(parameters), origin))

@@ -103,13 +103,13 @@ def _location(
 ) -> LocationReport:
     value = found.values.parameters.get(name, 0.0)
     if judged is None:
-        return LocationReport(name, value, None, unit, "given")
+        return LocationReport(name=name, value=value, u=None, unit=unit, origin="given")
     return LocationReport(
-        name,
-        value,
-        _known_u(judged),
-        unit,
-        origins[judged.determined],
+        name=name,
+        value=value,
+        u=_known_u(judged),
+        unit=unit,
+        origin=origins[judged.determined],
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,
     )
@@ -121,13 +121,13 @@ def _known_u(judged: Judged) -> float | None:
 
 def _component(name: ErrorName, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
     if judged is None:
-        return ComponentReport(name, "given", 0.0, None, name.unit)
+        return ComponentReport(name=name, known="given", largest=0.0, u=None, unit=name.unit)
     return ComponentReport(
-        name,
-        KNOWN[judged.determined],
-        judged.largest,
-        _known_u(judged),
-        name.unit,
+        name=name,
+        known=KNOWN[judged.determined],
+        largest=judged.largest,
+        u=_known_u(judged),
+        unit=name.unit,
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,
         origin=origins[judged.determined],
@@ -144,7 +144,9 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
             continue
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         value, unit = float(found.unknowns[place]), unknown.unknown_class.unit
-        reports.append(InstrumentReport(f"{unknown.label} ({runs})", value, float(u[place]), unit, ""))
+        reports.append(
+            InstrumentReport(name=f"{unknown.label} ({runs})", value=value, u=float(u[place]), unit=unit, origin="")
+        )
     return tuple(reports)
 
 

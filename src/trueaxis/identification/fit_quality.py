@@ -36,7 +36,7 @@ UNUSUAL = 0.01  # share of the data sets in which noise alone makes a run of the
 MOST_RUNS = 10  # named
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RunResidual:
     """Residuals of a run: how many readings, their rms (um), and that over the noise; None where that is unknown.
 
@@ -59,14 +59,18 @@ class RunResidual:
 
 @dataclass(frozen=True, slots=True)
 class FitQuality:
-    """How the fit ended, the residuals of every run, worst first, and why it is a misfit, in words; else empty."""
+    """How the fit ended, the residuals of every run, worst first, and why it is a misfit, in words; else empty.
+
+    misread: ids of runs that were misread for sure.
+    """
 
     fit: Fit
     runs: tuple[RunResidual, ...]
     reason: str = ""
+    misread: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Residuals:
     """Residuals of readings, or of groups of readings of one run at one position.
 
@@ -174,12 +178,12 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
     ratio = None if noise is None else _ratios(residuals, np.maximum(noise, RESOLUTION), len(runs))
     found = [
         RunResidual(
-            runs[index].id,
-            int(count[index]),
-            float(of_run) * 1e3,
-            None if ratio is None else float(ratio[index]),
-            _most(residuals.independent.get(index, float(count[index])), present.size),
-            small_unit(runs[index].instrument),
+            run=runs[index].id,
+            readings=int(count[index]),
+            rms_um=float(of_run) * 1e3,
+            ratio=None if ratio is None else float(ratio[index]),
+            most=_most(residuals.independent.get(index, float(count[index])), present.size),
+            unit=small_unit(runs[index].instrument),
         )
         for index, of_run in zip(present.tolist(), rms, strict=True)
     ]

@@ -65,7 +65,7 @@ def _errors(samples: Samples, fit: Fit) -> FloatArray:
     found = []
     for number in range(int(part.max()) + 1):
         out = part == number
-        rest = Samples(samples.positions[~out], samples.values[~out], samples.weights[~out])
+        rest = Samples(positions=samples.positions[~out], values=samples.values[~out], weights=samples.weights[~out])
         off = samples.values[out] - fit(rest).at(samples.positions[out])
         found.append(float(samples.weights[out] @ off**2))
     return np.array(found)

@@ -108,7 +108,9 @@ def legendre_samples(curve: LegendreCurve, white: FloatArray | None, order: int)
         given_others = np.linalg.inv(np.linalg.qr(white, mode="r"))  # a root of the covariance, the others as they are
         rest = discrepancy(positions, values, basis.home, tuple(range(1, order + 1)))
         whiten = whitening(np.hstack([basis(positions).T @ given_others, rest * np.eye(positions.size)]))
-    return Samples(positions, values, np.ones(positions.size), whiten, basis.home)
+    return Samples(
+        positions=positions, values=values, weights=np.ones(positions.size), whitening=whiten, home=basis.home
+    )
 
 
 def discrepancy(positions: FloatArray, values: FloatArray, home: float, powers: tuple[int, ...]) -> float:

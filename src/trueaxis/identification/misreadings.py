@@ -52,10 +52,10 @@ class Contradicting:
         left = len(self.runs) - MOST_RUNS
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
-            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} times "
-            f"the noise; without {them} the tool point moves by {self.moved * 1e3:.2g} um in the volume, where u is "
-            f"{self.u * 1e3:.2g} um (are runs swapped, is a target, reference, home or ball not where setup.toml says, "
-            "or does the model lack an effect? diagnose tells more)"
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} "
+            f"standard deviations of what these let expect; without {them} the tool point moves by "
+            f"{self.moved * 1e3:.2g} um in the volume, where u is {self.u * 1e3:.2g} um (are runs swapped, is a target, reference, home or ball not "
+            "where setup.toml says, or does the model lack an effect? diagnose tells more)"
         )
 
 
@@ -67,7 +67,9 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate) ->
     if contradicting is not None and contradicting.matter:
         reasons, named = [*reasons, str(contradicting)], named + contradicting.runs
     reason = "; ".join(filter(None, reasons))
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason) if reason else judged
+    if not reason:
+        return judged
+    return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason, misread=tuple(sure))
 
 
 def misread_notes(observed: Observations, found: Estimate) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ FROM_READINGS = "from the readings"
 Known = Literal["determined", "up to a slope", "partly", "undetermined", "not measured", "given"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BlockReport:
     """Unknowns that were solved together.
 
@@ -34,7 +34,7 @@ class BlockReport:
     remark: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LocationReport:
     """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from.
 
@@ -50,7 +50,7 @@ class LocationReport:
     u_prior: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ComponentReport:
     """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad.
 
@@ -68,7 +68,7 @@ class ComponentReport:
     origin: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentReport:
     """An unknown of an instrument: value and standard uncertainty (None: unknown) in `unit`; in how many runs."""
 
@@ -79,7 +79,7 @@ class InstrumentReport:
     origin: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class EffectParameterReport:
     """A parameter of an effect: value and standard uncertainty (None: unknown) in `unit`; role: as in its kind."""
 
@@ -108,7 +108,7 @@ class NoiseGroupReport:
     unit: SmallUnit = "um"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CurveOrderReport:
     """Powers of a component's polynomial by the paper's procedure and by held-out positions, and by what each is off at
     positions held out (rms, mm or rad); none by the paper: no term is significant.
@@ -122,7 +122,7 @@ class CurveOrderReport:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class IdentificationReport:
     """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
 

@@ -6,7 +6,7 @@ import os
 import shutil
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
@@ -28,6 +28,12 @@ def write_files(contents: Mapping[Path, bytes | str]) -> None:
             data = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
             outputs.open(target).write(data)
         outputs.commit()
+
+
+def remove_files(paths: Iterable[Path]) -> None:
+    """Remove files, one after the other; those that are not there are passed over."""
+    for path in paths:
+        path.unlink(missing_ok=True)
 
 
 class OutputFile:

@@ -159,7 +159,11 @@ def diagnosed(
     extending = Extending(out, given, start)
     with ThreadPoolExecutor(cores()) as pool:
         found = procedure(
-            given.model, given.data, DiagnoseOptions(noise_um, given.covariance, show, pool.map, extending)
+            given.model,
+            given.data,
+            DiagnoseOptions(
+                noise_um=noise_um, covariance=given.covariance, progress=show, each=pool.map, extend=extending
+            ),
         )
     show("report")
     contents = contents_of(out, given, found, extending) if write else {}

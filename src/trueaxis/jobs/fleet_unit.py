@@ -15,7 +15,7 @@ from trueaxis.fleets.row import ROW_FILE, CauseFound, Row, ToolFound, ValueFound
 from trueaxis.fleets.unit import Unit, inputs_digest, kept_row, values_before
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.files import write_files
+from trueaxis.io.files import remove_files, write_files
 from trueaxis.io.plain_text import shown
 from trueaxis.jobs.derive import derive
 from trueaxis.jobs.given import name_of, with_errors
@@ -49,9 +49,7 @@ def do_unit(unit: Unit) -> tuple[Row, bool]:
 def clear(out: Path) -> None:
     """Remove the row first, then the files that it names: a run that is killed leaves none that passes for done."""
     before = read_row(out)
-    (out / ROW_FILE).unlink(missing_ok=True)
-    for name in () if before is None else before.files:
-        (out / name).unlink(missing_ok=True)
+    remove_files([out / ROW_FILE, *(out / name for name in (() if before is None else before.files))])
 
 
 def prepare(spec: Path, kernels: Path) -> None:

@@ -29,7 +29,14 @@ class PlannedRuns:
         rows, nothing = self.readings, np.zeros(self.readings.run.size)
         context = context_of(self.runs, rows)
         return Observations(
-            self.source, self.runs, rows.run, rows.positions, nothing, rows.seq, rows.directions, context
+            source=self.source,
+            runs=self.runs,
+            run=rows.run,
+            positions=rows.positions,
+            reading=nothing,
+            seq=rows.seq,
+            directions=rows.directions,
+            context=context,
         )
 
     @property

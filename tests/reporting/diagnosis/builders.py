@@ -6,31 +6,26 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Separating, Told
 from trueaxis.diagnosis.result import (
-    Absence,
     AmplitudeOf,
     Cause,
-    Check,
     Circle,
     Diagnosis,
     ErrorNow,
     Estimate,
     Evidence,
     Gain,
-    Limit,
     MeasuredWith,
-    NextRun,
     NoiseOf,
     Outlier,
     Residuals,
     SecondOrder,
-    Separating,
     Stage,
     Stale,
-    StructureClass,
-    Told,
     Verdict,
 )
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
@@ -137,18 +132,18 @@ def cause(effect: Effect = BACKLASH, rivals: tuple[Evidence, ...] = (), separati
     )
 
 
-RIVAL = Evidence(LAG, 9.4, 1e-11, 40.0, 1)
+RIVAL = Evidence(effect=LAG, evidence=9.4, p_value=1e-11, tries=40.0, freedom=1)
 SCAN = (
-    Evidence(BACKLASH, 10.3, 1e-12, 40.0, 1),
+    Evidence(effect=BACKLASH, evidence=10.3, p_value=1e-12, tries=40.0, freedom=1),
     RIVAL,
-    Evidence(CYCLIC, 0.4, 0.01, 40.0, 2),
-    Evidence(COSINE, 0.0, 0.6, 40.0, 1),
-    Evidence(CROSS, math.nan, math.nan, 40.0, 1),
-    Evidence(OFFSET, -0.3, 1.0, 40.0, 3),
+    Evidence(effect=CYCLIC, evidence=0.4, p_value=0.01, tries=40.0, freedom=2),
+    Evidence(effect=COSINE, evidence=0.0, p_value=0.6, tries=40.0, freedom=1),
+    Evidence(effect=CROSS, evidence=math.nan, p_value=math.nan, tries=40.0, freedom=1),
+    Evidence(effect=OFFSET, evidence=-0.3, p_value=1.0, tries=40.0, freedom=3),
 )
 STALE = (
-    Stale("EYY", 300.0, 400.0, 0.0007, 0.0001, "mm", 1e-9),
-    Stale("EC0X", None, None, -5.2e-6, 4e-7, "rad", 2e-7),
+    Stale(component="EYY", first=300.0, last=400.0, value=0.0007, u=0.0001, unit="mm", p_value=1e-9),
+    Stale(component="EC0X", first=None, last=None, value=-5.2e-6, u=4e-7, unit="rad", p_value=2e-7),
 )
 EFFECTS = (BACKLASH, LAG, CYCLIC, COSINE, CROSS, OFFSET)
 
@@ -156,12 +151,73 @@ EFFECTS = (BACKLASH, LAG, CYCLIC, COSINE, CROSS, OFFSET)
 def limits() -> tuple[Limit, ...]:
     """One of each state."""
     return (
-        Limit(BACKLASH, "width", "mm", 0.0004, 0.0006, 0.98, LAG, 0.4, "observable"),
-        Limit(LAG, "tau", "s", 0.00012, 0.0002, 0.9, BACKLASH, 0.4, "observable"),
-        Limit(CYCLIC, "amplitude", "mm", 0.00022, 0.00022, 0.97, CROSS, 0.02, "observable"),
-        Limit(COSINE, "angle", "rad", 0.0011, math.inf, 0.5, OFFSET, 0.99, "confounded"),
-        Limit(CROSS, "k", "mm", math.nan, math.nan, 0.0, None, math.nan, "unobservable", "lines at one offset only"),
-        Limit(OFFSET, "x", "mm", 0.2, math.inf, 0.1, COSINE, 0.99, "confounded"),
+        Limit(
+            effect=BACKLASH,
+            size="width",
+            unit="mm",
+            detection=0.0004,
+            isolation=0.0006,
+            share=0.98,
+            nearest=LAG,
+            r2=0.4,
+            state="observable",
+        ),
+        Limit(
+            effect=LAG,
+            size="tau",
+            unit="s",
+            detection=0.00012,
+            isolation=0.0002,
+            share=0.9,
+            nearest=BACKLASH,
+            r2=0.4,
+            state="observable",
+        ),
+        Limit(
+            effect=CYCLIC,
+            size="amplitude",
+            unit="mm",
+            detection=0.00022,
+            isolation=0.00022,
+            share=0.97,
+            nearest=CROSS,
+            r2=0.02,
+            state="observable",
+        ),
+        Limit(
+            effect=COSINE,
+            size="angle",
+            unit="rad",
+            detection=0.0011,
+            isolation=math.inf,
+            share=0.5,
+            nearest=OFFSET,
+            r2=0.99,
+            state="confounded",
+        ),
+        Limit(
+            effect=CROSS,
+            size="k",
+            unit="mm",
+            detection=math.nan,
+            isolation=math.nan,
+            share=0.0,
+            nearest=None,
+            r2=math.nan,
+            state="unobservable",
+            reason="lines at one offset only",
+        ),
+        Limit(
+            effect=OFFSET,
+            size="x",
+            unit="mm",
+            detection=0.2,
+            isolation=math.inf,
+            share=0.1,
+            nearest=COSINE,
+            r2=0.99,
+            state="confounded",
+        ),
     )
 
 
@@ -195,8 +251,25 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         machine="mill <3 & more>",
         verdict=verdict,
         noise=(
-            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats", 0.0002),
-            NoiseOf("ballbar", 0.0003, 0.0, 0.0, 0.0, 1e6, "given"),
+            NoiseOf(
+                instrument="laser",
+                white=0.00029,
+                correlated=0.00008,
+                correlation=0.4,
+                settles=0.0001,
+                freedom=180.0,
+                origin="repeats",
+                wanders=0.0002,
+            ),
+            NoiseOf(
+                instrument="ballbar",
+                white=0.0003,
+                correlated=0.0,
+                correlation=0.0,
+                settles=0.0,
+                freedom=1e6,
+                origin="given",
+            ),
         ),
         causes=causes,
         limits=limits(),
@@ -205,27 +278,27 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         scan=SCAN if explained else tuple(replace(one, evidence=0.1, p_value=0.1) for one in SCAN),
         threshold=3.9,
         checks=(
-            Check(StructureClass.LINE_BY_LINE, "X", 1.0, False, 0.00002),
+            Check(structure=StructureClass.LINE_BY_LINE, place="X", p_value=1.0, fired=False, rms=0.00002),
             Check(
-                StructureClass.LINE_DIRECTION,
-                "X",
-                1e-9 if fired else 0.3,
-                fired,
-                0.003 if fired else 3e-5,
+                structure=StructureClass.LINE_DIRECTION,
+                place="X",
+                p_value=1e-9 if fired else 0.3,
+                fired=fired,
+                rms=0.003 if fired else 3e-5,
             ),
         ),
         outliers=(Outlier("X-2", 17, 0.0042, 9.3),),
         stale=STALE if verdict == "recalibrate" else (),
         gain=Gain(
-            Stage(given, refitted, left),
-            Stage(given, 1.03 * refitted, 1.03 * left),
-            "whole runs left out, one at a time",
-            0.0003,
-            1.03,
+            rms=Stage(given, refitted, left),
+            held_out=Stage(given, 1.03 * refitted, 1.03 * left),
+            split="whole runs left out, one at a time",
+            floor=0.0003,
+            standardised=1.03,
         ),
         circles=(
-            Circle("XY-500-ccw", 0.0123, 0.0101, 0.0098, 0.0016),
-            Circle("XY-500-cw", 0.0119, 0.0099, 0.0097, 0.0015),
+            Circle(run="XY-500-ccw", measured=0.0123, given=0.0101, refitted=0.0098, extended=0.0016),
+            Circle(run="XY-500-cw", measured=0.0119, given=0.0099, refitted=0.0097, extended=0.0015),
         ),
         recalibration_p=1e-8,
         next_runs=(NextRun(run=CIRCLES_AGAIN, pairs=((BACKLASH, (LAG,)),), told=APART),),

@@ -6,12 +6,14 @@ from dataclasses import replace
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.result import Check, NextRun, SecondOrder, Separating, StructureClass
+from trueaxis.diagnosis.of_plan import NextRun, Separating
+from trueaxis.diagnosis.result import SecondOrder
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.reporting.diagnosis.further import Proposal, absences, proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.quantity import ascii_only
 
-LOCAL = Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3)
-NOTHING_TO_MEASURE = Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3)
+LOCAL = Check(structure=StructureClass.LINE_LOCAL, place="Y", p_value=1e-9, fired=True, rms=1e-3)
+NOTHING_TO_MEASURE = Check(structure=StructureClass.LACK_OF_FIT, place="laser", p_value=1e-7, fired=True, rms=1e-3)
 
 
 def told(*runs: NextRun) -> list[Proposal]:

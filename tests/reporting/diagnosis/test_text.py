@@ -5,7 +5,8 @@ from typing import get_args
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.result import Check, Gain, Stage, StructureClass, Verdict
+from trueaxis.diagnosis.result import Gain, Stage, Verdict
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis.text import summary_text
 
@@ -56,8 +57,11 @@ def test_structure_without_a_cause_is_described() -> None:
 def test_of_many_classes_the_largest_are_named_and_the_others_counted() -> None:
     """One structure makes many fire; that all together is too much is the least telling of them."""
     diagnosis = builders.diagnosis("unexplained_structure")
-    checks = [Check(StructureClass.LINE_LOCAL, f"X{k}", 1e-9, fired=True, rms=k * 1e-3) for k in range(1, 8)]
-    checks.append(Check(StructureClass.LACK_OF_FIT, "laser", 1e-9, fired=True, rms=1.0))
+    checks = [
+        Check(structure=StructureClass.LINE_LOCAL, place=f"X{k}", p_value=1e-9, fired=True, rms=k * 1e-3)
+        for k in range(1, 8)
+    ]
+    checks.append(Check(structure=StructureClass.LACK_OF_FIT, place="laser", p_value=1e-9, fired=True, rms=1.0))
     lines = [line for line in summary_text(replace(diagnosis, checks=tuple(checks))).splitlines() if "looks" in line]
     assert [line.split(": ")[1] for line in lines[:5]] == [f"lines of X{k}, locally" for k in (7, 6, 5, 4, 3)]
     assert lines[5:] == ["looks like: 3 more classes, smaller or the same seen otherwise (report.html)"]
@@ -90,7 +94,9 @@ def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
     """All of them taken up by what is unknown of their instruments."""
     diagnosis = builders.diagnosis("explained")
     nothing = Stage(math.nan, math.nan, math.nan)
-    text = summary_text(replace(diagnosis, gain=Gain(diagnosis.gain.rms, nothing, "3 passes", 3e-4)))
+    text = summary_text(
+        replace(diagnosis, gain=Gain(rms=diagnosis.gain.rms, held_out=nothing, split="3 passes", floor=3e-4))
+    )
     assert "held-out RMS (3 passes): none, the zeros of their instruments take up all of these readings\n" in text
     assert "nan" not in text
     assert "scatter" not in text

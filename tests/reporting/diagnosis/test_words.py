@@ -132,4 +132,10 @@ def test_where_none_is_nothing_is_said(held: tuple[float, float, float]) -> None
 
 def gain(held: tuple[float, float, float], standardised: float) -> Gain:
     """held: um."""
-    return Gain(Stage(1e-3, 1e-3, 1e-3), Stage(*(1e-3 * one for one in held)), "whole runs", 3e-4, standardised)
+    return Gain(
+        rms=Stage(1e-3, 1e-3, 1e-3),
+        held_out=Stage(*(1e-3 * one for one in held)),
+        split="whole runs",
+        floor=3e-4,
+        standardised=standardised,
+    )

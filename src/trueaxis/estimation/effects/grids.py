@@ -43,7 +43,7 @@ OF_FIT = Fineness(periods=150, per_period=3, moments=400, lasting=2)
 OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=5)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Covered:
     """What the readings cover that may hold an effect.
 
@@ -67,12 +67,18 @@ def covered_by(effect: Effect, axes: tuple[str, ...], positions: FloatArray, con
     """
     axis = effect.own_axis
     if axis not in axes or not context.count:
-        return Covered(context.time)
+        return Covered(time=context.time)
     row = axes.index(axis)
     moving = context.velocity[row] != 0.0
     time_since = context.time_since[row, moving if moving.any() else slice(None)]
     travel = float(np.ptp(positions[row]))
-    return Covered(context.time, travel, axis in LINEAR, _longest(time_since), _longest(context.path_since[row]))
+    return Covered(
+        time=context.time,
+        travel=travel,
+        linear=axis in LINEAR,
+        time_since=_longest(time_since),
+        path_since=_longest(context.path_since[row]),
+    )
 
 
 def grid_of(kind: Kind, covered: Covered, fineness: Fineness) -> tuple[Point, ...]:

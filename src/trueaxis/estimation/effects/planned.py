@@ -66,7 +66,7 @@ def _assumed(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRow
     points = grid_points(ground, effect, kind)
     free, k = searched_names(kind), len(amplitude_names(kind))
     searched = [points[len(points) // 2][name] for name in free]
-    still = EffectUnknown(effect, kind, np.array([*np.zeros(k), *searched]), free)
+    still = EffectUnknown(effect=effect, kind=kind, values=np.array([*np.zeros(k), *searched]), free=free)
     largest = np.zeros(k)
     for rows in chosen:
         largest = np.maximum(largest, np.abs(still.columns(ground, rows)[:, :k]).max(axis=0, initial=0.0))

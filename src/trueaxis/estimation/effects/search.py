@@ -65,7 +65,9 @@ def searched_start(ground: Ground, effect: Effect, kind: Kind, others: Others) -
         if found.squares[best] >= most:
             most, point, amplitudes = found.squares[best], points[best], found.amplitudes[best]
     free = searched_names(kind)
-    return EffectUnknown(effect, kind, np.concatenate([amplitudes, [point[name] for name in free]]), free)
+    return EffectUnknown(
+        effect=effect, kind=kind, values=np.concatenate([amplitudes, [point[name] for name in free]]), free=free
+    )
 
 
 def grid_points(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:

@@ -30,7 +30,7 @@ POINT_SIZE = (
 MOST_CHANGE = 2.0  # factor by which a parameter that the term divides by changes in a step
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class EffectUnknown:
     """An effect whose parameters are sought.
 
@@ -216,7 +216,7 @@ def member_at(effect: Effect, kind: Kind, parameters: Mapping[str, float]) -> Ef
     """The effect with the parameters at which the fit starts."""
     free = searched_names(kind)
     values = np.concatenate([amplitudes_of(kind, parameters), [parameters[name] for name in free]])
-    return EffectUnknown(effect, kind, values, free)
+    return EffectUnknown(effect=effect, kind=kind, values=values, free=free)
 
 
 def unit_in(unit: str, effect: Effect) -> str:

@@ -61,7 +61,11 @@ def locations(result: PaperResult) -> tuple[LocationReport, ...]:
             origin, u = "given", None
         elif result.response.open_locations[index]:
             origin += ", from errors that are undetermined"
-        found.append(LocationReport(name, float(result.solution.locations[index]), u, unit[index], origin))
+        found.append(
+            LocationReport(
+                name=name, value=float(result.solution.locations[index]), u=u, unit=unit[index], origin=origin
+            )
+        )
     return tuple(found)
 
 
@@ -86,7 +90,7 @@ def components(result: PaperResult) -> tuple[ComponentReport, ...]:
         if result.u_nodes is not None and not opened.all():
             u = _number(np.max(result.u_nodes[nodes][~opened], initial=0.0))
         largest = float(np.max(np.abs(result.solution.nodes[nodes]), initial=0.0))
-        found.append(ComponentReport(name, known, largest, u, name.unit))
+        found.append(ComponentReport(name=name, known=known, largest=largest, u=u, unit=name.unit))
     return tuple(found)
 
 

@@ -17,7 +17,7 @@ BoolArray = npt.NDArray[np.bool_]
 DECIMALS = 6  # positions that agree to 1e-6 mm or deg are the same position
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Grid:
     """Knots: the different positions of each axis. A node is a component at a knot of its axis.
 
@@ -60,7 +60,7 @@ class Grid:
         return found
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Cells:
     """Readings of one run at one position, averaged: the least-squares solution is the same, and memory is bounded.
 
@@ -96,7 +96,15 @@ def grid_and_cells(machine: IdentifiedMachine, observed: Observations) -> tuple[
         reference.append(zero[0] if zero.size else home_knots[-1][0])
     axis = component_axes(machine)
     offset = np.concatenate([[0], np.cumsum([knots[a].size for a in axis])]).astype(np.int64)
-    grid = Grid(machine.axes, machine.components, tuple(knots), np.array(reference), np.array(home_knots), offset, axis)
+    grid = Grid(
+        axes=machine.axes,
+        components=machine.components,
+        knots=tuple(knots),
+        reference=np.array(reference),
+        home=np.array(home_knots),
+        offset=offset,
+        axis=axis,
+    )
     return grid, _cells(observed, np.array(at), grid)
 
 
@@ -106,4 +114,12 @@ def _cells(observed: Observations, knot: IntArray, grid: Grid) -> Cells:
     mean = np.bincount(inverse, weights=observed.reading) / repeats
     scatter = np.bincount(inverse, weights=(observed.reading - mean[inverse]) ** 2).astype(np.float64)
     positions = np.array([of_axis[at] for of_axis, at in zip(grid.knots, keys[1:], strict=True)])
-    return Cells(keys[0], keys[1:], positions, mean, repeats, scatter, observed.reading.size)
+    return Cells(
+        run=keys[0],
+        knot=keys[1:],
+        positions=positions,
+        mean=mean,
+        repeats=repeats,
+        scatter=scatter,
+        readings=observed.reading.size,
+    )

@@ -60,7 +60,7 @@ def identify_paper(
         options.squareness, machine, grid, steps.reached, free, _of_free(natural(steps, system)[1], free)
     )
     response = with_rule(steps, system, rule)
-    solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
+    solution = solve(Exact(machine=machine, given=bare, observed=usable, grid=grid, cells=cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
     judged = _quality(machine, usable, cells, solution, (found, options.noise_um))
     variances = response.variances(cells)
@@ -68,8 +68,9 @@ def identify_paper(
         raise NotConvergedError(judged.runs, solution.iterations)
     u_nodes, u_locations = _uncertainty(response, variances, rule, found, free)
     result = PaperResult(
-        machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
-        u_nodes, u_locations, rms, judged,
+        machine=machine, observed=usable, left_out=left_out, given=given, options=options, grid=grid, cells=cells,
+        equations=system, steps=steps, response=response, rule=rule, free=free, solution=solution, noise=found,
+        u_nodes=u_nodes, u_locations=u_locations, residual_rms=rms, quality=judged,
     )  # fmt: skip
     return _identification(result)
 
@@ -117,7 +118,18 @@ def _quality(
     squares = cells.repeats * solution.residual**2 + cells.scatter
     size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
     copied = tuple(copied_runs(observed).tolist()) if given_um is None else ()
-    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom, copied), observed.runs)
+    return quality(
+        Residuals(
+            run=cells.run,
+            count=cells.repeats,
+            squares=squares,
+            noise=known,
+            size=size,
+            freedom=found.freedom,
+            copied=copied,
+        ),
+        observed.runs,
+    )
 
 
 def _uncertainty(

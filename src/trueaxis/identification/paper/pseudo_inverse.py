@@ -20,7 +20,7 @@ class TooLargeError(ValueError):
         super().__init__(f"{unknowns} unknowns must be solved together")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class PseudoInverse:
     """Minimum-norm least-squares inverse of a matrix (m, k).
 
@@ -63,7 +63,13 @@ def pseudo_inverse(matrix: csr_array, tolerance: float) -> PseudoInverse:
         ranks |= {(int(r), columns.shape[1]) for r in of_parts}
         smallest = np.where(kept, singular, np.inf).min(axis=1)
         condition = max(condition, float(np.max(singular[:, 0] / smallest)))
-    return PseudoInverse(_assembled(inverse, k, m), _null(null, k), rank, condition, tuple(sorted(ranks)))
+    return PseudoInverse(
+        inverse=_assembled(inverse, k, m),
+        null=_null(null, k),
+        rank=rank,
+        condition=condition,
+        ranks=tuple(sorted(ranks)),
+    )
 
 
 def _stacks(row_label: IntArray, column_label: IntArray) -> list[tuple[IntArray, IntArray]]:

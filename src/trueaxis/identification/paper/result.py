@@ -30,7 +30,7 @@ class PaperOptions:
     curves: Curves = "table"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class PaperResult:
     """Everything that the steps gave, for the report: see the records.
 

@@ -23,7 +23,7 @@ GROWTH = 4.0  # of the largest residual: the steps lead away from the solution
 OPEN = 1e-9  # share of a node in the null space, scaled, above which it counts as open
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Response:
     """The linear solution in mm and rad, the rule for the location errors included.
 
@@ -62,7 +62,7 @@ class Response:
         return share > OPEN * self.location_scale
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Solution:
     """nodes: (n_nodes,), locations: (n_location_errors,), mm or rad; residual: (n_cells,), mm; change: the last, mm;
     step: (n_nodes,), the last one, mm or rad, infinite where the steps led away.
@@ -97,11 +97,18 @@ def with_rule(steps: Steps, equations: Equations, rule: Squareness) -> Response:
     located = np.asarray((nodes.T @ rule.response.T).T)
     null_located = np.asarray((null.T @ rule.response.T).T)
     whole_null = csc_array(null + along @ csr_array(null_located))
-    scales = (equations.node_scale, equations.location_scale)
-    return Response(nodes, along, located, whole_null, null_located, *scales)
+    return Response(
+        nodes=nodes,
+        along=along,
+        located=located,
+        null=whole_null,
+        null_located=null_located,
+        node_scale=equations.node_scale,
+        location_scale=equations.location_scale,
+    )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Exact:
     """The exact model at the cells; `given`: values that are known beforehand."""
 
@@ -142,8 +149,15 @@ def solve(exact: Exact, response: Response, rule: Squareness) -> Solution:
         before, change = change, float(np.max(np.abs(step / response.node_scale), initial=0.0))
         iteration += 1
         if not np.abs(residual).max(initial=0.0) <= largest:
-            return Solution(nodes, locations, residual, iteration, change, np.full(nodes.size, np.inf))
-    return Solution(nodes, locations, residual, iteration, change, step)
+            return Solution(
+                nodes=nodes,
+                locations=locations,
+                residual=residual,
+                iterations=iteration,
+                change=change,
+                step=np.full(nodes.size, np.inf),
+            )
+    return Solution(nodes=nodes, locations=locations, residual=residual, iterations=iteration, change=change, step=step)
 
 
 def tables(grid: Grid, nodes: FloatArray, which: BoolArray, u: FloatArray | None = None) -> dict[str, Curve]:

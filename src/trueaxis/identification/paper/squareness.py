@@ -56,7 +56,7 @@ class LevelLines:
         return self.response @ nodes
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LinesFromAngles:
     """Eqs. (39)-(43): axis lines from pitch and yaw, squareness from the angles between them.
 
@@ -118,7 +118,9 @@ def squareness_rule(
     if not lines:
         return Given(np.zeros((n_locations, grid.count)))
     slopes_of = {line.axis: _line_slopes(grid, line.axis, reached) for line in lines}
-    return LinesFromAngles(lines, slopes_of, angle_matrix(lines), free, by_location)
+    return LinesFromAngles(
+        lines=lines, slopes=slopes_of, angles=angle_matrix(lines), free=free, by_location=by_location
+    )
 
 
 def accumulated_slope(positions: FloatArray, reference: int) -> FloatArray:

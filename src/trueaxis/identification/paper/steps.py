@@ -29,7 +29,7 @@ class Step:
     closed: bool = True
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class SolvedStep:
     """A step with its equations (cells that hold unknowns), nodes, pseudo-inverse and columns in `Steps.null`."""
 
@@ -40,7 +40,7 @@ class SolvedStep:
     null_columns: range
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Steps:
     """All steps solved, in scaled unknowns.
 
@@ -113,9 +113,9 @@ def solve_steps(
         columns = range(null.shape[1], null.shape[1] + new.shape[1])
         null = hstack([carried, new], format="csc")
         reached[nodes] = True
-        solved.append(SolvedStep(step, rows, nodes, inverse, columns))
+        solved.append(SolvedStep(step=step, cells=rows, nodes=nodes, inverse=inverse, null_columns=columns))
     faults.raise_if_any()
-    return Steps(tuple(solved), response, by_location, null, reached)
+    return Steps(steps=tuple(solved), response=response, by_location=by_location, null=null, reached=reached)
 
 
 def _held(equations: Equations, grid: Grid, cells: Cells, n_runs: int) -> list[list[int]]:

@@ -51,7 +51,17 @@ def fit_samples(
     if samples.all_zero:
         empty = empty_fit(samples)
         verdict = "every value is zero: the polynomial is empty"
-        return OptimalFit(samples, alpha, (), 0, empty, empty, (), False, verdict)
+        return OptimalFit(
+            samples=samples,
+            alpha=alpha,
+            mean_squares=(),
+            order=0,
+            before=empty,
+            after=empty,
+            steps=(),
+            passed=False,
+            verdict=verdict,
+        )
     system = reduced_system(samples, max_order if order is None else order)
     if order is not None and system.order < order:
         raise ValueError(f"the {samples.values.size} points determine powers up to {system.order} only, not {order}")
@@ -66,7 +76,17 @@ def fit_samples(
         after, more = _reduce_until_significant(samples, system, before.powers, alpha)
         steps += more
     passed, verdict = after.significant(alpha), verdict_of(before, after, alpha)
-    return OptimalFit(samples, alpha, mean_squares, chosen, before, after, steps, passed, verdict)
+    return OptimalFit(
+        samples=samples,
+        alpha=alpha,
+        mean_squares=mean_squares,
+        order=chosen,
+        before=before,
+        after=after,
+        steps=steps,
+        passed=passed,
+        verdict=verdict,
+    )
 
 
 def _reduce_until_significant(

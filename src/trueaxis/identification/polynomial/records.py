@@ -10,7 +10,7 @@ from trueaxis.identification.polynomial.samples import FloatArray, Samples
 StepReason = Literal["start", "AIC", "t test", "F test"]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class PolynomialFit:
     """Least-squares polynomial without constant term; statistics as R's summary.lm gives them.
 
@@ -68,7 +68,7 @@ class Step:
     aic: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class OptimalFit:
     """Outcome of the optimisation of Sect. 4.3.
 

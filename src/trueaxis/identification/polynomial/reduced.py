@@ -17,7 +17,7 @@ RANK_TOLERANCE = 1e-7
 """Relative size of a power's part outside the lower powers, below which it is one of them (R's lm)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class ReducedSystem:
     """Sums of squares of every subset of the powers 1..order.
 

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Samples:
     """Values of one error component at axis positions, ready to be fitted.
 
@@ -65,7 +65,7 @@ def checked_samples(positions: ArrayLike, values: ArrayLike, weights: ArrayLike 
         raise ValueError("; ".join(faults))
     for array in (x, y, w):
         array.setflags(write=False)
-    return Samples(x, y, w)
+    return Samples(positions=x, values=y, weights=w)
 
 
 def _places(wrong: NDArray[np.bool_]) -> str:

@@ -7,7 +7,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from trueaxis.diagnosis.result import Absence, Diagnosis, NextRun, SecondOrder, Separating, Told
+from trueaxis.diagnosis.of_plan import Absence, NextRun, Separating, Told
+from trueaxis.diagnosis.result import Diagnosis, SecondOrder
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look

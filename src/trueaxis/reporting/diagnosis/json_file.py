@@ -7,18 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnosis.result import (
-    Cause,
-    Check,
-    Circle,
-    Diagnosis,
-    Evidence,
-    GainOfAngles,
-    Limit,
-    NoiseOf,
-    Stage,
-    Stale,
-)
+from trueaxis.diagnosis.of_plan import Limit
+from trueaxis.diagnosis.result import Cause, Circle, Diagnosis, Evidence, GainOfAngles, NoiseOf, Stage, Stale
+from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import absences, proposals, separating_run, warnings

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from trueaxis.diagnosis.result import Check, StructureClass
+from trueaxis.diagnosis.structure import Check, StructureClass
 
 LINES, CIRCLES = "lines of", "circles of"
 

@@ -4,7 +4,8 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnosis.result import Cause, Check, Diagnosis, Gain, Stale, StructureClass, Verdict
+from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, Stale, Verdict
+from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import ErrorName
