@@ -393,7 +393,8 @@ def test_no_module_writes_files_by_another_way() -> None:
     for path in (ROOT / "src").rglob("*.py"):
         if path.name not in writers or path.parent.name == "compensate":
             text = path.read_text()
-            if path.name == "via_linuxcnc.py":  # an empty folder in which LinuxCNC's interpreter runs
+            # an empty folder in which LinuxCNC's interpreter runs, one in which worker processes keep what is theirs
+            if path.name in ("via_linuxcnc.py", "embedded.py"):
                 text = text.replace("tempfile", "")
             for word in (".write_text(", ".write_bytes(", "tempfile", '.open("w', ".mkdir(", "shutil.copy", ".unlink("):
                 assert word not in text, f"{path}: {word}"

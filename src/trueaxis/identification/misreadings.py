@@ -54,8 +54,9 @@ class Contradicting:
         return (
             f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} "
             f"standard deviations of what these let expect; without {them} the tool point moves by "
-            f"{self.moved * 1e3:.2g} um in the volume, where u is {self.u * 1e3:.2g} um (are runs swapped, is a target, reference, home or ball not "
-            "where setup.toml says, or does the model lack an effect? diagnose tells more)"
+            f"{self.moved * 1e3:.2g} um in the volume, where u is {self.u * 1e3:.2g} um (are runs swapped, is a "
+            "target, reference, home or ball not where setup.toml says, or does the model lack an "
+            "effect? diagnose tells more)"
         )
 
 

@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
+from trueaxis.io.faults import Fault, InputError
+
 if sys.platform != "win32":
     import fcntl
 
@@ -102,3 +104,24 @@ def _remove_if_left(path: Path) -> None:
             shutil.rmtree(path, ignore_errors=True)
     finally:
         os.close(handle)
+
+
+@contextmanager
+def written_by_one(folder: Path) -> Iterator[None]:
+    """Hold the folder while it is written. Raises InputError where another run holds it."""
+    made = not folder.exists()
+    folder.mkdir(parents=True, exist_ok=True)
+    if sys.platform == "win32":  # no folder can be locked there
+        yield
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        if not hold(handle):
+            raise InputError(
+                [Fault(str(folder), "", "is being written by another run", "wait for it, or another folder")]
+            )
+        yield
+    finally:
+        os.close(handle)
+        if made and not any(folder.iterdir()):  # nothing came of it
+            folder.rmdir()

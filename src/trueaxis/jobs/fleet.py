@@ -1,9 +1,7 @@
 """Many machines, with measured data of many days each: done on worker processes, kept, and summed up."""
 
 import os
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -21,7 +19,7 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
 from trueaxis.io.plain_text import shown
-from trueaxis.io.staging import hold
+from trueaxis.io.staging import written_by_one
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import Printed, Tabular
@@ -91,7 +89,7 @@ def fleet(
         chains = chains_of(read_fleet(source), folder)
     if found:
         raise InputError(found)
-    with _held(folder):
+    with written_by_one(folder):
         rows, made = _rows(chains, asked, again, show)
         ordered = tuple(row for chain in chains for row in _of(chain, rows))
         summary = summary_of(ordered)
@@ -187,24 +185,3 @@ def _written(folder: Path, name: str, rows: tuple[Row, ...], summary: Summary) -
     }
     write_files(files)
     return tuple(files)
-
-
-@contextmanager
-def _held(folder: Path) -> Iterator[None]:
-    """Hold the folder while it is written. Raises InputError where another run holds it."""
-    made = not folder.exists()
-    folder.mkdir(parents=True, exist_ok=True)
-    if sys.platform == "win32":  # no folder can be locked there
-        yield
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        if not hold(handle):
-            raise InputError(
-                [Fault(str(folder), "", "is being written by another run", "wait for it, or another folder")]
-            )
-        yield
-    finally:
-        os.close(handle)
-        if made and not any(folder.iterdir()):  # nothing came of it
-            folder.rmdir()
