@@ -12,10 +12,11 @@ from tests.hidden_effects.case import Case
 from tests.identification.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
-from trueaxis.diagnosis.extend import changed, kept_readings, named_effects, reidentified, start_values
+from trueaxis.diagnosis.extend import changed, identified_anew, kept_readings, named_effects, reidentified, start_values
 from trueaxis.diagnosis.result import Evidence, FloatArray, Verdict
 from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.curves import PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Undetermined
 from trueaxis.model.model import load_model
@@ -173,3 +174,23 @@ class TestReidentified:
         assert np.sqrt(np.mean(left**2)) < 0.5 * np.sqrt(np.mean(self.WANTED**2))
         for name in ("EYY", "EZZ", "EYX", "EXZ"):
             assert np.abs(change_of(found, name)).max() < 1.0
+
+
+def test_a_run_whose_sign_is_reversed_is_no_cause_of_its_instrument() -> None:
+    """A laser cosine of 13 mrad was named, marked as certain: reversed, a line looks like another scale of its own."""
+    given = prepared(Case(seed=1, design=SMALL, noise="white", given="exact"))
+    (index, *_) = (k for k, run in enumerate(given.data.setup.runs) if run.instrument == "laser")
+    run = given.data.setup.runs[index].id
+    readings = given.data.readings
+    reversed_ = np.where(readings.run == index, -1.0, 1.0) * readings.reading
+    wrong = replace(given.data, readings=replace(readings, reading=reversed_))
+
+    def misfits(data: MeasuredData, effect: Effect) -> tuple[str, ...]:
+        everything = np.arange(readings.reading.size)
+        found = diagnosis("explained")
+        found = replace(found, causes=(cause(effect),), residuals=replace(found.residuals, row=everything))
+        return identified_anew(given.model, data, found, lambda _: given.model).misfits
+
+    cosine = Effect(kind="laser_cosine", runs=(run,))
+    assert run in misfits(wrong, cosine)
+    assert misfits(given.data, cosine) == ()
