@@ -36,11 +36,11 @@ would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, unti
 Positions in the program are axis positions (machine coordinates), or those of work offsets that --offset, --offsets
 or the program give; --tools gives tool lengths.
 
-Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend;
-canned cycles are written out. Whatever moves or shifts axes in a way that is not followed (macros, cutter radius
-compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is written. So is an M code that
-does not mean the same on every control, unless --pass-m names it, and a number without a decimal point, unless
---integers says what it counts.
+Blocks that move nothing come back byte for byte. Arcs stay arcs where they can (--arcs); lines are cut where the
+errors along them bend; canned cycles are written out. Whatever moves or shifts axes in a way that is not followed
+(macros, cutter radius compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is
+written. So is an M code that does not mean the same on every control, unless --pass-m names it, and a number without a
+decimal point, unless --integers says what it counts.
 An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
 spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
 gets no word: before that, feed motions are right in the axes that are commanded, and --start must say where the others

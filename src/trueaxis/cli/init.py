@@ -49,7 +49,9 @@ def _travel(text: str) -> tuple[str, tuple[float, float]]:
     except ValueError:
         travel = float("nan"), float("nan")
     if axis not in AXES or not equals or not colon or not travel[0] < travel[1]:
-        raise argparse.ArgumentTypeError(f"{text!r} is not AXIS=LOW:HIGH, such as X=0:600 (mm, rotary axes deg)")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not AXIS=LOW:HIGH, the lower end first, such as X=0:600 (mm, deg)"
+        )
     return axis, travel
 
 
