@@ -15,7 +15,7 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis import prepared
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Prepared, inner_of
-from trueaxis.diagnosis.scan import Scanned, residual_of, scanned
+from trueaxis.diagnosis.scan import Scanned, peaks_of, residual_of, scanned
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
@@ -202,3 +202,13 @@ def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch:
     assert pieces.whole == pytest.approx(whole.whole, rel=1e-12)
     assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.whole.max())
     assert pieces.length == pytest.approx(whole.length, rel=1e-6)
+
+
+def test_every_peak_that_may_be_the_highest_between_the_points_of_the_grid_is_known() -> None:
+    """A pitch was named that was an alias of the true one: it was nearer to a point of the grid."""
+    frequency = np.arange(41) * 0.5  # two steps a period, as the grid of pitches
+    for offset in (0.0, 0.1, 0.25):
+        true, alias = np.sinc(frequency - 9.0 - offset) ** 2, 0.97 * np.sinc(frequency - 15.5) ** 2
+        places = peaks_of(true + alias)
+        assert {18, 31} <= set(places)
+        assert len(places) == 2

@@ -15,6 +15,9 @@ from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 
+# Share of a peak that a grid holds at least: of a period, (sin(pi/4) / (pi/4))^2 half a step of frequency beside it. A
+# point with less than this share of the best one is beside no higher peak.
+HELD = 0.81
 FAR = 100.0  # a statistic from which the number of tries does not matter
 LN10 = float(np.log(10.0))
 
@@ -41,12 +44,14 @@ class Scanned:
 
     statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
     number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
-    same as if the noise were known, by which candidates are compared: they share its uncertainty.
+    same as if the noise were known, by which candidates are compared: they share its uncertainty. place: of the point
+    on the grid; peaks: of it and of all others beside which a higher peak may be, such as an alias of a period.
     """
 
     effect: Effect
     point: Mapping[str, float]
     place: int
+    peaks: tuple[int, ...]
     amplitudes: FloatArray
     statistic: float
     freedom: int
@@ -79,6 +84,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
         effect=signature.effect,
         point=signature.points[best],
         place=best,
+        peaks=peaks_of(statistic),
         amplitudes=amplitudes[best],
         statistic=most,
         freedom=k,
@@ -88,6 +94,14 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
         preference=-log_chi2_tail(most, k) / LN10 - lower,
         missing=signature.missing,
     )
+
+
+def peaks_of(statistic: FloatArray) -> tuple[int, ...]:
+    """Places of local maxima that hold as much of the largest as a grid does of a peak, the largest first."""
+    beside = np.concatenate([[-np.inf], statistic, [-np.inf]])
+    highest = (statistic >= beside[:-2]) & (statistic > beside[2:]) & (statistic >= HELD * statistic.max())
+    places = np.flatnonzero(highest)
+    return tuple(places[np.argsort(-statistic[places], kind="stable")].tolist())
 
 
 def _gram(columns: FloatArray, others: FloatArray) -> FloatArray:

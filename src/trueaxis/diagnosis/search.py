@@ -24,6 +24,7 @@ MOST_CAUSES = 4
 LIKELIEST = 3  # candidates below the threshold, beside which the noise is estimated anew
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 ZOOM = 7  # points per zoom of a grid, twice
+MOST_PEAKS = 8  # of a grid that are looked at more closely: aliases of a period, for targets that are nearly even
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 
 Progress = Callable[[str], None]
@@ -169,22 +170,24 @@ def scan_all(ground: Ground, residual: Residual, effects: Sequence[Effect]) -> t
 def zoomed(ground: Ground, residual: Residual, scan: Scanned) -> Found:
     """The candidate with its searched parameters between the points of the grid; tries remain those of the grid."""
     kind = ground.readings.model.machine.kinds[scan.effect.kind]
-    points, place, best = grid_of(kind, scan.effect, ground.readings.rows), scan.place, scan
-    if len(points) > 1 and len(points[0]) == 1:
-        (name,) = points[0]
-        for _ in range(2):
-            fine = _between(points, place, name)
-            signature = signature_of(ground.readings, scan.effect, fine)
-            closer = scanned(signature, prepared(signature, ground.inner), residual)
-            points, place = fine, closer.place
-            if closer.statistic >= best.statistic:
-                best = _with_tries(closer, scan.tries)
+    grid, best = grid_of(kind, scan.effect, ground.readings.rows), scan
+    if len(grid) > 1 and len(grid[0]) == 1:
+        for peak in scan.peaks[:MOST_PEAKS]:
+            points, place = grid, peak
+            for _ in range(2):
+                points = _between(points, place)
+                signature = signature_of(ground.readings, scan.effect, points)
+                closer = scanned(signature, prepared(signature, ground.inner), residual)
+                place = closer.place
+                if closer.statistic >= best.statistic:
+                    best = _with_tries(closer, scan.tries)
     signature = signature_of(ground.readings, scan.effect, (best.point,))
     return Found(best, signature)
 
 
-def _between(points: Sequence[Mapping[str, float]], place: int, name: str) -> tuple[Mapping[str, float], ...]:
+def _between(points: Sequence[Mapping[str, float]], place: int) -> tuple[Mapping[str, float], ...]:
     """A finer grid between the neighbours of a point; in its inverse, in which frequencies are even."""
+    (name,) = points[0]
     ends = [points[max(place - 1, 0)][name], points[min(place + 1, len(points) - 1)][name]]
     if min(ends) > 0.0:
         values = 1.0 / np.linspace(1.0 / ends[0], 1.0 / ends[1], ZOOM)
