@@ -227,7 +227,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         return Fitted(state=found, sizes=sizes, x=x)
 
     def continued(runs: Sequence[MeasuredRun]) -> Fitted:
-        begun = of_runs(fitted.state, [one.rows.index for one in runs])
+        begun = of_runs(fitted.state, runs)
         sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
         x, found, _ = _rounds(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
@@ -236,7 +236,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         noise = {}
         fitted = refit(setting.runs)
         posterior = fitted.posterior()
-    misread = misread_runs(fitted, posterior, refit)
+    misread = misread_runs(fitted, posterior, continued, refit)
     if options.changes:
         return misread, []
     sure = {index: one for index, one in misread.items() if one.sure}

@@ -31,8 +31,8 @@ from trueaxis.measurement.machine import FloatArray
 MOST = 0.25  # share of the runs that may contradict the others: beyond it the model does
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
 # Of `sure`: from where on a suspect is judged anew by an estimate from the beginning. On 24 suspects of the worlds 9811
-# to 9814 that made the logarithm smaller by 1.8 at most; continuing the estimate of all costs a third of it.
-LIKELY = 0.5
+# to 9814 that made the logarithm smaller by 1.8 at most, of 13.8; continuing the estimate of all costs a third of it.
+LIKELY = 0.8
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
 NOTHING = 1e-6  # of the noise: a variance that is rounding, where the others let expect nothing of a direction
 MOST_DIRECTIONS = 800  # of a group: half a second; of larger ones the runs are judged alone

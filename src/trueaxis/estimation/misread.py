@@ -14,7 +14,7 @@ import numpy as np
 
 from trueaxis.estimation.evidence import evidence_at
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.left_out import Contradiction, beside_others
+from trueaxis.estimation.left_out import LIKELY, Contradiction, beside_others
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.own_part import by_shared, own_part_of
@@ -40,7 +40,7 @@ DECIMALS = 9  # of mm: readings that differ by less are the same
 FEWEST_TARGETS = 3
 TARGETS = 6  # decimals of mm or deg, within which targets are the same
 
-Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs, from the beginning
+Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,11 +56,11 @@ class Misread:
         return bool(self.log_odds > SURE)
 
 
-def misread_runs(fitted: Fitted, posterior: Posterior, refit: Refit) -> dict[int, Misread]:
+def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: Refit) -> dict[int, Misread]:
     """Runs by index that are likelier with a fault undone.
 
     One after the other: the next beside those that were undone before. Where several runs are as likely as each other
-    to be the one that is misread, each is there. posterior: of what is fitted.
+    to be the one that is misread, each is there. posterior: of what is fitted; continued: goes on from there.
     """
     found: dict[int, Misread] = {}
     undone: set[int] = set()
@@ -73,8 +73,11 @@ def misread_runs(fitted: Fitted, posterior: Posterior, refit: Refit) -> dict[int
         for place, how in likeliest[:MOST_TRIALS]:
             runs = _with_undone(state.runs, place, how)
             if runs is not None:
-                trial = refit(runs)
+                trial = continued(runs)
                 gain = _gain(fitted, trial, place, how)
+                if gain > LIKELY * SUSPICIOUS:
+                    trial = refit(runs)
+                    gain = _gain(fitted, trial, place, how)
                 if gain > max([SURE, *gains.values()]):
                     following = trial
                 gains[place, how] = gain

@@ -1,6 +1,6 @@
 """Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -101,19 +101,22 @@ def started(
     )
 
 
-def of_runs(state: State, indices: Collection[int]) -> State:
-    """What it is of some runs."""
-    places = [place for place, one in enumerate(state.runs) if one.rows.index in indices]
-    runs = tuple(state.runs[place] for place in places)
+def of_runs(state: State, runs: Sequence[MeasuredRun]) -> State:
+    """What it is of some of its runs, whose readings may be others than they were."""
+    place_of = {one.rows.index: place for place, one in enumerate(state.runs)}
+    places = [place_of[one.rows.index] for one in runs]
     instruments = {one.instrument for one in runs}
     return replace(
         state,
-        runs=runs,
+        runs=tuple(runs),
         stated=state.stated & instruments,
         noise={name: one for name, one in state.noise.items() if name in instruments},
         scales=state.scales[places],
         own=tuple(state.own[place] for place in places),
-        residual=tuple(state.residual[place] for place in places),
+        residual=tuple(
+            state.residual[place] + (one.reading - state.runs[place].reading)
+            for place, one in zip(places, runs, strict=True)
+        ),
         kept=tuple(state.kept[place] for place in places) if state.kept else (),
     )
 

@@ -113,17 +113,21 @@ def _expected(machine: MeasuredMachine, at_home: MeasuredMachine, run: Run, posi
     if run.instrument == ANGLE:
         zeroed = cast(FloatArray, home_positions(run, machine.axes))
         return _turned(machine, run, positions) - _turned(at_home, run, zeroed)
-    deviation = _deviation(machine, run, positions)
     home = home_positions(run, machine.axes)
     if home is not None:
-        sensed = deviation - _deviation(at_home, run, home)
+        if at_home is machine:  # home as one more position: on the few of a run a call costs more than its arithmetic
+            deviation = _deviation(machine, run, np.hstack([positions, home]))
+            sensed = deviation[:, :-1] - deviation[:, -1:]
+        else:
+            sensed = _deviation(machine, run, positions) - _deviation(at_home, run, home)
         return cast(FloatArray, np.einsum("in,in->n", sensed_directions(machine, run, positions), sensed))
-    ideal = ideal_bar(machine, run, positions)
+    deviation, ideal = _deviation(machine, run, positions), ideal_bar(machine, run, positions)
     # |P + D| - |P| as (2P + D).D / (|P + D| + |P|): nothing cancels
     stretch = np.einsum("in,in->n", 2.0 * ideal + deviation, deviation)
-    total = np.linalg.norm(ideal + deviation, axis=0) + np.linalg.norm(ideal, axis=0)
+    size = np.linalg.norm(ideal, axis=0)
+    total = np.linalg.norm(ideal + deviation, axis=0) + size
     stretched = np.divide(stretch, total, out=np.zeros_like(stretch), where=total != 0.0)  # NaN stays NaN
-    return cast(FloatArray, ideal_reading(machine, run, positions) + stretched)
+    return cast(FloatArray, stretched if run.length is None else (size - run.length) + stretched)
 
 
 def _turned(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:

@@ -35,7 +35,7 @@ class LegendreBasis:
 
     def clamped(self, positions: FloatArray) -> FloatArray:
         """(degree, n): the same, with the values at the ends beyond the range."""
-        return self(np.clip(positions, self.low, self.high))
+        return np.asarray(clamped_values((self,), positions[np.newaxis])[0])
 
     @property
     def count(self) -> int:
@@ -63,6 +63,23 @@ class LegendreBasis:
 
     def _centre_and_half(self) -> tuple[float, float]:
         return 0.5 * (self.low + self.high), 0.5 * (self.high - self.low) or 1.0
+
+
+def clamped_values(bases: tuple[LegendreBasis, ...], positions: FloatArray) -> FloatArray:
+    """(k, degree, n): each of k bases of one degree at positions of its own, (k, n); see `LegendreBasis.clamped`.
+
+    At once, since on the few positions of a run a call costs more than its arithmetic.
+    """
+    low, high, centre, half, at_home = _stacked(bases)
+    values = legendre.legvander((np.clip(positions, low, high) - centre) / half, bases[0].degree)
+    return np.ascontiguousarray((values - at_home)[:, :, 1:].transpose(0, 2, 1))
+
+
+@lru_cache(maxsize=64)
+def _stacked(bases: tuple[LegendreBasis, ...]) -> tuple[FloatArray, ...]:
+    """low, high, centre and half of the range, (k, 1), and the values at home, (k, 1, degree + 1)."""
+    of_range = [(one.low, one.high, *one._centre_and_half()) for one in bases]
+    return (*np.array(of_range).T[:, :, np.newaxis], np.array([_at_home(one) for one in bases]))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis
+from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis, clamped_values
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -135,8 +135,11 @@ def evaluate_components(
             found *= positions[axis]
             found += coefficients
         values[rows] = found
-    for (axis, basis), rows in legendre.items():
-        values[rows] = _stacked(tuple(curves[components[row]] for row in rows)) @ basis.clamped(positions[axis])
+    for degree in {basis.degree for _, basis in legendre}:
+        alike = {key: rows for key, rows in legendre.items() if key[1].degree == degree}
+        each = clamped_values(tuple(basis for _, basis in alike), positions[[axis for axis, _ in alike]])
+        for rows, found in zip(alike.values(), each, strict=True):
+            values[rows] = _stacked(tuple(curves[components[row]] for row in rows)) @ found
     return values
 
 
