@@ -2,8 +2,8 @@
 
 Every word is right to half a unit of its last decimal. What the words of one arc may differ by follows to first order:
 with unit vectors u1, u2 from the centre to start s and end e, and o = (I, J, K) from the start to the centre,
-d|o| - d|e - s - o| = (u2 - u1) do + u2 (ds - de), where an axis without a word has de = ds. The bound is the sum of the
-magnitudes. Zeros at the end of a number are often left out, so the decimals of a block are those of its longest number.
+d|o| - d|e - s - o| = (u2 - u1) do + u2 (ds - de). The bound is the sum of the magnitudes. Zeros at the end of a number are often left out, so the decimals of a block are those of its longest number.
+An axis of the plane without a word counts as one with it: many post-processors leave out a word that rounds to the one before.
 """
 
 import math
@@ -22,7 +22,7 @@ _DOUBLES = 1e-9  # mm; what positions lose in doubles, far below any word
 class WordRounding(NamedTuple):
     """Half a unit of the last decimal, mm, of the words of an arc: start and end by axis X Y Z, centre or radius.
 
-    An axis without a word in the arc's block has start and end 0: both ends then have the same error.
+    The axis across the plane has 0.
     """
 
     start: Vector
@@ -38,15 +38,15 @@ def half_unit(decimals: int, inch: bool) -> float:
 
 
 def rounding_of(
-    named: Sequence[bool], decimals: Mapping[str, int], before: Sequence[float], absolute: bool, inch: bool
+    in_plane: Sequence[bool], decimals: Mapping[str, int], before: float, absolute: bool, inch: bool
 ) -> WordRounding:
-    """Rounding of an arc's words; named: for X Y Z whether the block has the word; decimals: of its words; before: half
-    units of the words that gave the start, mm.
+    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: of its words;
+    before: half a unit of the words that gave the start, mm.
     """
     unit = half_unit(max(decimals.values(), default=0), inch)
-    start = tuple(h if there and absolute else 0.0 for h, there in zip(before, named, strict=True))
-    end = tuple(unit if there else 0.0 for there in named)
-    return WordRounding((start[0], start[1], start[2]), (end[0], end[1], end[2]), unit)
+    x, y, z = (float(inside) for inside in in_plane)
+    first = before if absolute else 0.0
+    return WordRounding((first * x, first * y, first * z), (unit * x, unit * y, unit * z), unit)
 
 
 def allowed_about(start: Vector, end: Vector, centre: Vector, rounding: WordRounding) -> float:

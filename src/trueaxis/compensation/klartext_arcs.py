@@ -83,9 +83,8 @@ def arc_of(
         return _turned(block, pole, a, normal)
     flat: Vector = (b[0], b[1], a[2])
     decimals = {axis: word.decimals for axis, word in block.coordinates.items()}
-    unit = half_unit_of([state.numbers[state.row[axis]] for axis in _PLANE], state.inch, None)
-    named = [axis in block.coordinates and axis in _PLANE for axis in LINEAR]
-    rounding = rounding_of(named, decimals, [unit, unit, 0.0], True, state.inch)
+    before = half_unit_of([state.numbers[state.row[axis]] for axis in _PLANE], state.inch, None)
+    rounding = rounding_of([axis in _PLANE for axis in LINEAR], decimals, before, True, state.inch)
     if block.verb == "CR":
         if block.radius is None:
             raise ArcError("CR without R+ or R-")

@@ -34,18 +34,17 @@ def arc_of_block(
     sense = 1.0 if state.motion == 3 else -1.0
     normal = (sense * (across == "X"), sense * (across == "Y"), sense * (across == "Z"))
     a, b = _linear(state, start), _linear(state, end)
-    flat_b = tuple(p if axis == across else q for p, q, axis in zip(a, b, LINEAR, strict=True))
-    in_plane = (flat_b[0], flat_b[1], flat_b[2])
+    x, y, z = (p if axis == across else q for p, q, axis in zip(a, b, LINEAR, strict=True))
+    flat: Vector = (x, y, z)
     given = [state.numbers[state.row[axis]] for axis in (first, second)]
-    unit = half_unit_of(given, state.inch, integers)
-    before = [unit if axis in (first, second) else 0.0 for axis in LINEAR]
-    named = [axis in meaning.axes and axis != across for axis in LINEAR]
-    rounding = rounding_of(named, meaning.decimals, before, state.absolute, state.inch)
+    before = half_unit_of(given, state.inch, integers)
+    in_plane = [axis != across for axis in LINEAR]
+    rounding = rounding_of(in_plane, meaning.decimals, before, state.absolute, state.inch)
     scale = MM_PER_INCH if state.inch else 1.0
     if meaning.radius is not None:
         if meaning.centre:
             raise ArcError("an arc has either R or I J K")
-        return arc_of_radius(a, b, meaning.radius * scale, normal, allowed_beyond_radius(a, in_plane, rounding))
+        return arc_of_radius(a, b, meaning.radius * scale, normal, allowed_beyond_radius(a, flat, rounding))
     if meaning.centre.get(_CENTRE_OF[across]) or meaning.ways.get(_CENTRE_OF[across]):
         raise ArcError(f"{_CENTRE_OF[across]} points out of the plane {first}{second} in force")
     if not meaning.centre:
@@ -53,7 +52,7 @@ def arc_of_block(
     if turns > 1.0 and meaning.radius is not None:
         raise ArcError("turns of an arc by R")
     x, y, z = (_centre(state, meaning, axis, p, scale) for p, axis in zip(a, LINEAR, strict=True))
-    allowed = math.inf if judged else allowed_about(a, in_plane, (x, y, z), rounding)
+    allowed = math.inf if judged else allowed_about(a, flat, (x, y, z), rounding)
     arc = arc_about(a, b, (x, y, z), normal, allowed)
     return arc._replace(sweep=arc.sweep + 2.0 * math.pi * (turns - 1.0))
 
