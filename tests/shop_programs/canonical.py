@@ -9,18 +9,22 @@ START is a block that puts the axes where they are to stand at first; it is the 
 
 import ctypes
 import json
+import os
 import sys
 
 PROGRAM, VAR, PACKAGES = sys.argv[1:4]
 START = sys.argv[5] if len(sys.argv) > 5 else ""
 TOOLS = json.loads(sys.argv[4])  # number and length (mm) in the order of the table, the spindle first
 sys.path.insert(0, PACKAGES)
+sys.setdlopenflags(os.RTLD_LAZY | os.RTLD_GLOBAL)  # what is loaded before it calls it
 import gcode  # noqa: E402
 
 # the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
 ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
 
 MM = 25.4
+TELL = ctypes.PyDLL(gcode.__file__)._Z17STRAIGHT_TRAVERSEiddddddddd
+TELL.argtypes = [ctypes.c_int] + [ctypes.c_double] * 9
 ORDER = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
 
 
@@ -30,7 +34,9 @@ class Canon:
     def __init__(self):
         self.parameter_file, self.line, self.plane = VAR, 0, 1
         self.g5x = self.g92 = self.tool = (0.0,) * 9
-        self.last = None
+        self.at = [0.0] * 9  # machine coordinates in inches
+        self.told = None  # what the module has been told of where the axes stand
+        self.changing = False  # in the block of a tool change
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -38,13 +44,27 @@ class Canon:
         return lambda *_: None
 
     def next_line(self, state):
+        self.changing = False
         self.line = state.sequence_number
 
     def set_g5x_offset(self, _index, *values):
         self.g5x = values
+        self.stand()
 
     def set_g92_offset(self, *values):
         self.g92 = values
+        self.stand()
+
+    def stand(self):
+        """After a tool change the interpreter asks the module where the axes are, which forgets arcs and offsets."""
+        if not self.changing:
+            return
+        words = [at - sum(of) for at, *of in zip(self.at, self.g5x, self.g92, self.tool, strict=True)]
+        self.told = ()
+        TELL(self.line, 1.0, *(0.0,) * 8)
+        unit = 1.0 / self.told[0]  # 25.4 in mm
+        TELL(self.line, *[value if row in (3, 4, 5) else value * unit for row, value in enumerate(words)])
+        self.told = None
 
     def set_xy_rotation(self, angle):
         if angle:
@@ -55,12 +75,13 @@ class Canon:
 
     def tool_offset(self, *values):
         self.tool = values
+        self.stand()
         print("length", self.line, f"{values[2] * MM:.9f}")
 
     def change_tool(self, pocket):
         print("tool", self.line, pocket)
-        if self.last is not None:  # the module goes on from the words of the last motion, whatever the frame since
-            print("stands", self.line, *self.machine(self.last))
+        self.changing = True
+        self.stand()
 
     def user_defined_function(self, number, *_):
         print("user", self.line, 100 + number)
@@ -72,13 +93,18 @@ class Canon:
             print("uvw", self.line)
         return [f"{value * (MM if row < 3 else 1.0):.9f}" for row, value in enumerate(total[:6])]
 
+    def moved(self, kind, values):
+        self.at = [sum(parts) for parts in zip(values, self.g5x, self.g92, self.tool, strict=True)]
+        print(kind, self.line, *self.machine(values))
+
     def straight_traverse(self, *values):
-        self.last = values
-        print("rapid", self.line, *self.machine(values))
+        if self.told is not None:
+            self.told = values
+        else:
+            self.moved("rapid", values)
 
     def straight_feed(self, *values):
-        self.last = values
-        print("feed", self.line, *self.machine(values))
+        self.moved("feed", values)
 
     def straight_probe(self, *_):
         print("probe", self.line)
@@ -91,10 +117,11 @@ class Canon:
         end, centre = [0.0] * 3, [0.0] * 9
         end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
         centre[rows[0]], centre[rows[1]] = c1, c2
-        self.last = [*end, *rest]
-        at = self.machine(self.last)
         middle = self.machine(centre)
-        print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], *at)
+        print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], end="")
+        self.at = [sum(parts) for parts in zip([*end, *rest], self.g5x, self.g92, self.tool, strict=True)]
+        print("", *self.machine([*end, *rest]))
+        self.stand()
 
     def get_external_length_units(self):
         return 1.0

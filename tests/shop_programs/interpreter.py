@@ -1,8 +1,11 @@
 """LinuxCNC's interpreter as a process of its own: what it makes of a program, as arrays."""
 
+import atexit
+import functools
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -14,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 CHILD = Path(__file__).with_name("canonical.py")
+SPLINES = Path(__file__).with_name("spline_motions.cc")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is built for
 SECONDS = 60
 MOST_MOTIONS = 2_000_000
@@ -75,6 +79,7 @@ def _run(
         values |= {5221 + 20 * k + axis: offset[axis] for k, offset in enumerate(offsets) for axis in range(3)}
         var.write_text("".join(f"{n}\t{value:.6f}\n" for n, value in sorted(values.items())))
         env = {"PATH": os.environ["PATH"], "HOME": folder, **environment}
+        preload = {"LD_PRELOAD": splines} if (splines := _splines()) else {}
         table = json.dumps([(0, 0.0), *tools.items()])
         _make_tools(Path(folder), package, tools, env)
         copy = Path(folder) / "program.ngc"
@@ -82,7 +87,7 @@ def _run(
         command = [PYTHON, str(CHILD), str(copy), str(var), str(where), table, start]
         try:
             done = subprocess.run(
-                command, cwd=folder, env=env, capture_output=True, text=True, errors="replace",
+                command, cwd=folder, env=env | preload, capture_output=True, text=True, errors="replace",
                 timeout=SECONDS, check=False,
             )  # fmt: skip
         except subprocess.TimeoutExpired:
@@ -94,6 +99,18 @@ def _run(
     if int(result) > 2:
         return Ran(f"line {at}: {text[0] if text else result}")
     return _motions(lines[:-1], tools)
+
+
+@functools.cache
+def _splines() -> str:
+    """A library that makes the motions of splines as LinuxCNC's control does; empty where it cannot be compiled."""
+    compiler, header = shutil.which("g++"), Path("/usr/include/linuxcnc/canon.hh")
+    if compiler is None or not header.is_file():
+        return ""
+    library = Path(tempfile.mkdtemp(prefix="spline_motions")) / "spline_motions.so"
+    atexit.register(shutil.rmtree, library.parent, ignore_errors=True)
+    command = [compiler, "-O1", "-shared", "-fPIC", "-I", str(header.parent), "-o", str(library), str(SPLINES)]
+    return str(library) if subprocess.run(command, capture_output=True, check=False).returncode == 0 else ""
 
 
 def ended(program: bytes) -> bytes:
@@ -117,7 +134,6 @@ def _make_tools(folder: Path, package: Path, tools: Mapping[int, float], env: Ma
 
 def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
     at = np.zeros(6)
-    stands, still = np.zeros(6), np.zeros(6, dtype=bool)
     ends, feed, number, tool = [], [], [], []
     features: set[str] = set()
     by_length = {length: of_tool for of_tool, length in tools.items()}
@@ -126,8 +142,6 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
         kind, *words = text.split()
         if kind in ("rapid", "feed", "arc"):
             points = _arc(at, words) if kind == "arc" else np.array(words[1:], dtype=float)[None]
-            still &= np.abs(points - stands).max(axis=0) < 1e-9
-            points[:, still] = at[still]
             at = points[-1]
             moves += 1
             if moves == 0:
@@ -136,9 +150,6 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
             feed.append([kind != "rapid"] * len(points))
             number.append([int(words[0])] * len(points))
             tool.append([spindle] * len(points))
-        elif kind == "stands":
-            stands = np.array(words[1:], dtype=float)
-            still = stands != at  # axes that the module has elsewhere, until a motion moves them
         elif kind == "tool":
             spindle, changed = int(words[1]), True
         elif kind == "length":

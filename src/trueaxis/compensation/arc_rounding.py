@@ -2,8 +2,9 @@
 
 Every word is right to half a unit of its last decimal. What the words of one arc may differ by follows to first order:
 with unit vectors u1, u2 from the centre to start s and end e, and o = (I, J, K) from the start to the centre,
-d|o| - d|e - s - o| = (u2 - u1) do + u2 (ds - de). The bound is the sum of the magnitudes. Zeros at the end of a number are often left out, so the decimals of a block are those of its longest number.
-An axis of the plane without a word counts as one with it: many post-processors leave out a word that rounds to the one before.
+d|o| - d|e - s - o| = (u2 - u1) do + u2 (ds - de). The bound is the sum of the magnitudes. Zeros at the end of a number
+are often left out, so the decimals of a block are those of its longest number. An axis of the plane without a word
+counts as one with it: many post-processors leave out a word that rounds to the one before.
 """
 
 import math
@@ -40,8 +41,8 @@ def half_unit(decimals: int, inch: bool) -> float:
 def rounding_of(
     in_plane: Sequence[bool], decimals: Mapping[str, int], before: float, absolute: bool, inch: bool
 ) -> WordRounding:
-    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: of its words;
-    before: half a unit of the words that gave the start, mm.
+    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: of its
+    words; before: half a unit of the words that gave the start, mm.
     """
     unit = half_unit(max(decimals.values(), default=0), inch)
     x, y, z = (float(inside) for inside in in_plane)

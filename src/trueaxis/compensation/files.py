@@ -18,6 +18,7 @@ from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.mark import MARK, comment_of, marked
 from trueaxis.compensation.moves import Notes
 from trueaxis.compensation.nc_reader import NcReader
+from trueaxis.compensation.nc_tools import IN_SPINDLE
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
 from trueaxis.compensation.report import CompensationReport
@@ -180,9 +181,15 @@ def compensated(
     if via_linuxcnc is not None:
         if language == "apt" or settings.dialect not in (None, "linuxcnc"):
             raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
-        text = unrolled(program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete)
-        settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=(*settings.pass_m, *PASSED))
+        made = unrolled(
+            program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
+            settings.reference_points,
+        )  # fmt: skip
+        text, passed = made.text, (*settings.pass_m, *PASSED)
+        settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)
         notes.add(0, UNROLLED)
+        if made.tool is not None:
+            notes.add(0, IN_SPINDLE.format(made.tool))
     if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
         notes.add(0, RECOGNISED.format(NAMES[dialect]))
         settings = replace(settings, dialect=dialect)

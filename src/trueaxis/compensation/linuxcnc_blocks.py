@@ -2,14 +2,23 @@
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
+
+import numpy as np
+
+from trueaxis.compensation.linuxcnc_splines import POINTS, biarcs, curve_of
+from trueaxis.compensation.tools import Tool
 
 AXES = "XYZABC"
 _LARGEST_NUMBER = 99999  # of a block, in LinuxCNC
 FOOT = 0.3048  # m
+SAME_LENGTH = 0.003  # mm: rs274 prints four decimals, in inches
 NO_LIMIT = 1e9  # revolutions a minute: LinuxCNC has 1e30 where G96 has no D
 SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
+UNCERTAIN = "where the axes stand at first or after a tool change, or on a reference point that is not given"
 _CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
 _MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
 _WORDS = {
@@ -53,36 +62,75 @@ class Motion:
     way: tuple[float, ...]
 
 
-def blocks_of(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[int]) -> Iterator[str]:
-    """Blocks of the program: the calls of rs274 in order, with the motions in their places; tools: numbers in the order
-    of the table, by which rs274 names them.
+@dataclass(frozen=True, slots=True)
+class Unrolled:
+    """text: the program; tool: in the spindle before it, None where it does not say."""
+
+    text: str
+    tool: int | None
+
+
+def unrolled_program(
+    calls: Sequence[str], motions: Sequence[Motion], tools: Mapping[int, Tool], axes: Sequence[str] = AXES
+) -> Unrolled:
+    """The calls of rs274 in order, with the motions in their places; tools: in the order of the table, by which rs274
+    names them; axes: those of the machine: others get no word while they stand at 0.
 
     Raises ValueError with what a call does that is not written.
     """
-    writer = _Writer(tools)
-    remaining = iter(motions)
+    writer = _Writer(tools, axes)
+    blocks = "".join(f"{line}\n" for line in _blocks(writer, calls, motions))
+    return Unrolled(HEAD + blocks, writer.first_tool)
+
+
+def _blocks(writer: "_Writer", calls: Sequence[str], motions: Sequence[Motion]) -> Iterator[str]:
+    remaining = deque(motions)
     for text in calls:
         call = _CALL.match(text)
         if call is None:
             continue
         function, arguments = call[1], call[2]
         if function in _MOTION:
-            motion = next(remaining, None)
-            if motion is None:
+            if not remaining:
                 raise ValueError("rs274 makes more motions than the module")
-            yield from writer.motion(motion)
+            yield from writer.motion(remaining.popleft())
+        elif function == "NURBS_FEED":
+            for motion in spline_motions(remaining, int(_numbers(arguments)[0]), writer.at):
+                yield from writer.motion(motion)
         else:
             yield from writer.modes(function, arguments)
-    if next(remaining, None) is not None:
+    if remaining:
         raise ValueError("the module makes more motions than rs274")
 
 
-class _Writer:
-    """What is in force: positions, unit and plane, feed, increments, and whether the spindle turns by G96."""
+def spline_motions(remaining: deque[Motion], count: int, at: Sequence[float | None]) -> Iterator[Motion]:
+    """Arcs and lines of a spline with so many control points, for the module's motions, which are taken off; at: where
+    it begins.
+    """
+    given = list(takewhile(lambda motion: motion.kind == "feed" and None not in motion.end[:2], remaining))
+    if not given or None in at[:2]:
+        raise ValueError(f"where a spline goes depends on {UNCERTAIN}")
+    longest = given[: POINTS * count + 1]
+    curve, used = curve_of(np.array([at[:2], *(motion.end[:2] for motion in longest)], dtype=np.float64), count)
+    for _ in range(used - 1):
+        remaining.popleft()
+    for end, centre, turns in biarcs(curve):
+        kind = "feed" if centre is None else "arc"
+        others = given[0].end[2:]
+        yield Motion(
+            kind=kind, line=given[0].line, plane=1, turns=turns, centre=centre or (), end=(*end, *others),
+            way=(math.nan, math.nan, *(0.0,) * len(others)),
+        )  # fmt: skip
 
-    def __init__(self, tools: Sequence[int]) -> None:
-        self._tools, self._changed = tools, False
-        self._at: list[float | None] = [None] * len(AXES)
+
+class _Writer:
+    """What is in force: positions (at), unit and plane, feed, increments, and whether the spindle turns by G96."""
+
+    def __init__(self, tools: Mapping[int, Tool], axes: Sequence[str]) -> None:
+        self._tools, self._numbers, self._changed = tools, [0, *tools], False
+        self.first_tool: int | None = None
+        self._unknown: list[float | None] = [None if axis in axes else 0.0 for axis in AXES]
+        self.at = self._unknown
         self._unit, self._plane, self._feed = 1.0, 1, ""
         self._absolute, self._surface, self._mode = True, False, ""
 
@@ -95,8 +143,8 @@ class _Writer:
             self._absolute = not by_ways
             yield "G90" if self._absolute else "G91"
         fed = "" if motion.kind == "rapid" else self._feed
-        yield _increments(motion, fed) if by_ways else _block(motion, self._at, fed)
-        self._at = [before if value is None else value for before, value in zip(self._at, motion.end, strict=True)]
+        yield _increments(motion, fed) if by_ways else _block(motion, self.at, fed)
+        self.at = [before if value is None else value for before, value in zip(self.at, motion.end, strict=True)]
 
     def modes(self, function: str, arguments: str) -> Iterator[str]:
         if function == "USE_LENGTH_UNITS":
@@ -110,12 +158,26 @@ class _Writer:
             yield f"{self._mode}S{abs(_numbers(arguments)[-1]) * foot:.4f}"
             self._mode = ""
         elif function == "USE_TOOL_LENGTH_OFFSET":
-            _check_length(arguments, len(self._tools) > 1 and not self._changed)
+            if self._tools and not self._changed:
+                self._take_first(_numbers(arguments)[2] * self._unit)
         elif function == "CHANGE_TOOL":
-            self._changed = True
-            yield f"T{self._tools[int(float(arguments))]} M6"
+            self._changed, self.at = True, self._unknown  # it may move axes, which get words again
+            yield f"T{self._numbers[int(float(arguments))]} M6"
         else:
             yield from _words(function, arguments)
+
+    def _take_first(self, length: float) -> None:
+        """Take the tool whose length is put in force before any tool change to be the one in the spindle."""
+        if not length:
+            return
+        same = [number for number, tool in self._tools.items() if abs(tool.shift[2] - length) < SAME_LENGTH]
+        if not same or len({self._tools[number] for number in same}) > 1:
+            raise ValueError(
+                f"a length of {length:.4f} mm is in force before a tool change: of which tool is not known,"
+            )
+        if self.first_tool not in (None, *same):
+            raise ValueError("lengths of two tools are in force before a tool change")
+        self.first_tool = same[0]
 
     def _spindle_mode(self, most: float) -> Iterator[str]:
         """G96 stands before the S that follows: LinuxCNC wants both in one block."""
@@ -128,11 +190,6 @@ class _Writer:
 
 def _numbers(arguments: str) -> list[float]:
     return [float(number) for number in re.findall(r"[-+]?\d+\.?\d*", arguments)]
-
-
-def _check_length(arguments: str, unknown: bool) -> None:
-    if unknown and any(float(value) for value in re.findall(r"[-\d.]+", arguments)):
-        raise ValueError("the length of a tool is in force before a tool change")
 
 
 def _words(function: str, arguments: str) -> Iterator[str]:
@@ -159,7 +216,7 @@ def _counts_from_start(motion: Motion) -> bool:
     """
     moved = [way for end, way in zip(motion.end, motion.way, strict=True) if end is None and not abs(way) < SAME]
     if any(math.isnan(way) for way in moved):
-        raise ValueError(f"where the motion of line {motion.line} goes depends on where the axes stand at first")
+        raise ValueError(f"where the motion of line {motion.line} goes depends on {UNCERTAIN}")
     return bool(moved) and motion.kind != "arc"
 
 
@@ -186,7 +243,7 @@ def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
         rows = {1: (0, 1), 2: (1, 2), 3: (2, 0)}[motion.plane]
         start = [at[row] for row in rows]
         if None in start or None in [motion.end[row] for row in rows]:
-            raise ValueError(f"the arc of line {motion.line} begins where the axes stand at first")
+            raise ValueError(f"where the arc of line {motion.line} begins depends on {UNCERTAIN}")
         words += [
             f"{'IJK'[row]}{centre - (begin or 0.0):.7f}"
             for row, centre, begin in sorted(zip(rows, motion.centre, start, strict=True))

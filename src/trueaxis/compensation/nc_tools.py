@@ -27,6 +27,7 @@ class ToolReader:
 
     def __init__(self, state: NcState, settings: Settings, faults: FaultLog, notes: Notes) -> None:
         self._state, self._faults, self._notes = state, faults, notes
+        state.tool = settings.tool
         self._table: ToolTable | None = settings.tools
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"

@@ -40,8 +40,8 @@ class Settings:
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
-    offsets: work offsets that are known. tools: tools that are known, None: none are. reference_points: machine
-    positions to which `G28` and `G30` go.
+    offsets: work offsets that are known. tools: tools that are known, None: none are. tool: the one in the spindle
+    before the program, None: not known. reference_points: machine positions to which `G28` and `G30` go.
     judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
@@ -70,6 +70,7 @@ class Settings:
     pass_m: tuple[int, ...] = ()
     offsets: Offsets = field(default_factory=Offsets)
     tools: ToolTable | None = None
+    tool: int | None = None
     reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     judged: bool = False
     temperature: float | None = None
