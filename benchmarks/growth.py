@@ -71,7 +71,18 @@ def plan_of(folder: Path, runs: int, readings: int) -> Path:
 def read_of(folder: Path, runs: int, readings: int) -> Path:
     """The same, read."""
     plan = plan_of(folder / "plan", runs, readings)
-    words = ["simulate", MACHINE, "--errors", ERRORS, "--data", plan, "--out", folder / "data", "--noise-um", "1"]
+    words: list[str | Path] = [
+        "simulate",
+        MACHINE,
+        "--errors",
+        ERRORS,
+        "--data",
+        plan,
+        "--out",
+        folder / "data",
+        "--noise-um",
+        "1",
+    ]
     assert run(words)[1] == 0, words
     return folder / "data"
 

@@ -9,12 +9,13 @@ from tests.estimation.test_state import GIVEN, begun
 from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import mixed_data
 from trueaxis.estimation import jacobian
+from trueaxis.estimation import state as estimation_state
 from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import State, linearised, with_noise
+from trueaxis.estimation.state import State, linearised, started, with_noise
 from trueaxis.measurement.machine import FloatArray
 
 
@@ -84,6 +85,30 @@ def test_places_say_what_readings_say(state: State) -> None:
     np.testing.assert_allclose(u, np.linalg.norm(covariance, axis=1)[:n], rtol=1e-8)
     for one, at in zip(found.own, first, strict=False):
         np.testing.assert_allclose(one.mean / scale[at], expected[at : at + one.mean.size] / scale[at], atol=1e-7)
+
+
+def test_pieces_of_a_run_share_what_is_few(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where all derivatives are kept, runs in pieces are folded by as few columns as a run in one."""
+    before = said(state)
+    monkeypatch.setattr(jacobian, "PIECE", 2000)
+    parts = [tuple(jacobian.derivatives(state.layout, one.rows)) for one in state.runs]
+    assert max(map(len, parts)) > 2
+    again = replace(state, kept=tuple(map(jacobian.with_common_few, parts)))
+    for one, whole in zip(again.kept, state.kept, strict=True):
+        assert all(part.others is one[0].others for part in one)
+        assert one[0].others.shape[0] <= whole[0].others.shape[0] + 1  # but for rounding
+    after = said(again)
+    u = np.linalg.norm(before.spread, axis=1)
+    np.testing.assert_allclose(after.mean / u, before.mean / u, atol=1e-8)
+    np.testing.assert_allclose(np.linalg.norm(after.spread, axis=1), u, rtol=1e-8)
+
+
+def test_what_takes_too_much_memory_is_not_kept(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    entries = sum(part.own.size + part.few.size + part.others.size for one in state.kept for part in one)
+    again = [replace(one, good=np.ones(one.reading.size, dtype=bool)) for one in state.runs]
+    for most, kept in ((entries, True), (entries - 1, False)):
+        monkeypatch.setattr(estimation_state, "KEPT", most)
+        assert bool(started(state.layout, tuple(again), state.given, {}).kept) is kept
 
 
 @pytest.mark.parametrize("piece", [2000, jacobian.PIECE])

@@ -4,6 +4,8 @@ The hundreds of unknowns of a machine change the readings along a line or circle
 beyond these is rounding. So time and memory of all that is done with them grow with the few, not with the hundreds.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.linalg import qr
 
@@ -24,3 +26,9 @@ def few_of(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
     weights = np.zeros((rank, columns.shape[1]))
     weights[:, np.flatnonzero(told)[order]] = r[:rank]
     return np.asarray(q[:, :rank]), weights
+
+
+def common(weights: Sequence[FloatArray]) -> tuple[list[FloatArray], FloatArray]:
+    """What makes of the combinations of each piece, (r_i, p), those of all: (r_i, r) each, and (r, p)."""
+    turned, together = few_of(np.vstack(weights))
+    return np.split(turned, np.cumsum([one.shape[0] for one in weights])[:-1]), together

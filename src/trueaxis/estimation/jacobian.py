@@ -1,12 +1,12 @@
 """The derivative of readings by the unknowns, run by run and piece by piece."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.effects.signature import RunRows as EffectRows
-from trueaxis.estimation.few import few_of
+from trueaxis.estimation.few import common, few_of
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
@@ -37,15 +37,16 @@ class RunRows:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Derivative:
-    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; few: (u, r), orthonormal, in which
-    the readings at the u places where they were taken change; place: (m,), that of each reading; others: (r, n), by the
-    other unknowns, per scaled unit.
+    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; few: (u, r), orthonormal over the
+    run, in which the readings at the u places where they were taken change; place: (m,), that of each reading; others:
+    (r, n), by the other unknowns, per scaled unit; of_run: whether the few are those of all pieces of the run.
     """
 
     own: FloatArray
     few: FloatArray
     place: IntArray
     others: FloatArray
+    of_run: bool = False
 
     @property
     def by_few(self) -> FloatArray:
@@ -99,6 +100,16 @@ def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
             found[:, layout.of_effects] = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))
         few, others = few_of(found)
         yield Derivative(own=own, few=few, place=place, others=others)
+
+
+def with_common_few(parts: Sequence[Derivative]) -> tuple[Derivative, ...]:
+    """The pieces of a run as combinations of the same few."""
+    if len(parts) < 2:
+        return tuple(parts)
+    turned, others = common([one.others for one in parts])
+    return tuple(
+        replace(one, few=one.few @ by, others=others, of_run=True) for one, by in zip(parts, turned, strict=True)
+    )
 
 
 def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, FloatArray]]:

@@ -102,24 +102,21 @@ def run_triangle(
     counts: k and n; known: the unknowns, own and scaled, with which the readings were less; see `reduced`.
     """
     k, n = counts
-    triangle, start = np.zeros((k + n + 1, k + n + 1)), 0
+    found, start, few = np.zeros((0, 0)), 0, True
     for one in each:
         whole = readings[start : start + one.place.size]
         start += one.place.size
         if known is not None:
             whole = whole + one.change(*known)
-        if one.place.size == readings.size:
-            return _by_few(one, whole, whiten)
-        # noise carries over from piece to piece, and each has its own few
-        triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
-    return triangle
+        # the ways in which the others change readings take their place: QR of columns that are not so many
+        few = one.of_run or one.place.size == readings.size
+        rows = whiten(np.hstack([one.own, one.by_few if few else one.by_others, whole[:, np.newaxis]]))
+        found = with_rows(_square(found), rows) if found.size else triangle_of([rows])
+    if not found.size:
+        return np.zeros((0, k + n + 1))
+    return np.hstack([found[:, :k], found[:, k:-1] @ one.others, found[:, -1:]]) if few else found
 
 
-def _by_few(one: Derivative, readings: FloatArray, whiten: Whitening) -> FloatArray:
-    """(r, k + n + 1): what readings (m,) of a run say, by its own unknowns, the others, and whitened readings.
-
-    The ways in which the others change them take the place of the others: QR of columns that are not so many.
-    """
-    k = one.own.shape[1]
-    triangle = triangle_of([whiten(np.hstack([one.own, one.by_few, readings[:, np.newaxis]]))])
-    return np.hstack([triangle[:, :k], triangle[:, k:-1] @ one.others, triangle[:, -1:]])
+def _square(triangle: FloatArray) -> FloatArray:
+    """With rows of zeros below."""
+    return np.vstack([triangle, np.zeros((triangle.shape[1] - triangle.shape[0], triangle.shape[1]))])

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
+from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_common_few
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
@@ -85,8 +85,6 @@ def started(
         mine = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
         found[name] = first_noise(mine) if name in unstated else Noise(1.0)
     scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
-    # first order about the machine without errors: nothing changes it but effects that are not linear
-    stays = not layout.effects.curved and sum(one.reading.size for one in runs) * layout.count <= KEPT
     return State(
         layout=layout.at(unknowns, given),
         given=given,
@@ -97,8 +95,27 @@ def started(
         unknowns=unknowns,
         own=own,
         residual=tuple(residual),
-        kept=kept or (tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else ()),
+        kept=kept or _kept(layout, runs),
     )
+
+
+def _kept(layout: Layout, runs: Sequence[MeasuredRun]) -> tuple[tuple[Derivative, ...], ...]:
+    """Derivatives of each run's readings; none where they change, or take too much memory.
+
+    They are of first order about the machine without errors: nothing changes them but effects that are not linear.
+    """
+    if layout.effects.curved:
+        return ()
+    found, entries = [], 0
+    for one in runs:
+        parts = []
+        for part in derivatives(layout, one.rows):
+            entries += part.own.size + part.few.size + part.others.size
+            if entries > KEPT:
+                return ()
+            parts.append(part)
+        found.append(with_common_few(parts))
+    return tuple(found)
 
 
 def of_runs(state: State, runs: Sequence[MeasuredRun]) -> State:
