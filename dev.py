@@ -62,7 +62,8 @@ def run_tests(rest: list[str]) -> int:
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
-    parallel = ("-n", "auto", "--dist", "loadfile", "-q")  # tests of a file share what is dear to make
+    # tests of a file share what is dear to make
+    parallel = ("-n", "auto", "--dist", "loadfile", "-q", "--durations", "25")
     return run(*pytest, *parallel, "-m", "not slow") or run(*pytest, *parallel, "-m", "slow")
 
 

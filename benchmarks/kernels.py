@@ -1,6 +1,7 @@
 """Points per second of every emitted kernel, and of other ways to compute the same, in one run.
 
 Run from the repository: python -m benchmarks.kernels [--points 1000 100000 1000000] [--json FILE]
+Then the kernels of AGAINST beside what wrenfold emits for them, on machines of three and five axes.
 """
 
 import argparse
@@ -19,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.rivals import Case, Contestant, FloatArray, casadi_functions, hand_written, lambdify, strided
+from benchmarks.wrenfold_code import cpp_of, numpy_of, unfolded
 from trueaxis.codegen.c_source import c_header, c_source
 from trueaxis.codegen.meta import ABI
 from trueaxis.codegen.numpy_source import numpy_source
@@ -30,6 +32,13 @@ from trueaxis.model.compiler import find_compiler
 
 ROOT = Path(__file__).resolve().parent.parent
 MODEL = "tool_in_workpiece_deviation_first_order_curves"
+AGAINST = (
+    "tool_in_workpiece_deviation",
+    "tool_in_workpiece_deviation_first_order",
+    "tool_in_workpiece_deviation_curves",
+    MODEL,
+    "tool_in_workpiece_sensitivity",
+)
 AGREEMENT = 1e-12  # relative to the largest value of a row
 SECONDS = 0.03  # that one measurement takes at least, so that the clock is fine enough
 CORES = os.cpu_count() or 1
@@ -51,22 +60,32 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=9, help="interleaved measurements of every row (default 9)")
     parser.add_argument("--json", type=Path, help="write the figures to this file")
     options = parser.parse_args()
-    machine = read_machine(ROOT / "machines" / "dmu60p.toml")
+    machines = [read_machine(ROOT / "machines" / f"{name}.toml") for name in ("dmu60p", "dmu60p_5axis")]
     with tempfile.TemporaryDirectory() as name:
-        contest = Contest(machine, Path(name))
-        timed = [row for n in options.points for row in contest.run(n, options.rounds)]
+        contests = [Contest(machine, Path(name)) for machine in machines]
+        timed = [row for n in options.points for row in contests[0].run(n, options.rounds)]
+        beside = [
+            row
+            for contest in contests
+            for kernel in AGAINST
+            for n in options.points
+            for row in contest.against(kernel, n, options.rounds)
+        ]
     about = {"processor": _processor(), "compiler": _compiler(), "numpy": np.__version__}
     print("\n".join(f"{key}: {value}" for key, value in about.items()))
     print_table(timed, options.points)
+    print("\nratio: to wrenfold's C++")
+    print_table(beside, options.points)
     if options.json:
-        options.json.write_text(json.dumps(about | {"rows": [asdict(row) for row in timed]}, indent=1) + "\n")
+        options.json.write_text(json.dumps(about | {"rows": [asdict(row) for row in timed + beside]}, indent=1) + "\n")
 
 
 class Contest:
     """The contestants of one machine: `run` measures all of them, by turns."""
 
     def __init__(self, machine: Machine, folder: Path) -> None:
-        self.machine, self.routines = machine, derive_routines(machine)
+        self.machine, self.routines, self.folder = machine, derive_routines(machine), folder / machine.name
+        self.folder.mkdir()
         self.module = ModuleType("kernels")
         exec(numpy_source(machine, self.routines), self.module.__dict__)
         code = {
@@ -77,20 +96,23 @@ class Contest:
         self.compiled, reason = load_c_kernels(code, machine.name, machine.digest, ABI, records)
         if reason:
             raise SystemExit(reason)
-        self.model = [
-            hand_written(folder),
+
+    def rivals(self) -> list[Contestant]:
+        """Of the model that all compute: the machine of three axes that is written by hand."""
+        return [
+            hand_written(self.folder),
             strided("emitted C", self.compiled[MODEL].function),
             _called("emitted C, called from Python", self.compiled[MODEL]),
             _called(f"emitted C, called from Python, {CORES} threads", self.compiled[MODEL], threads=CORES),
             _called("emitted NumPy", getattr(self.module, MODEL)),
-            *lambdify(machine),
-            *casadi_functions(folder),
+            *lambdify(self.machine),
+            *casadi_functions(self.folder),
         ]
 
     def run(self, n: int, rounds: int) -> list[Timed]:
         """All rows at `n` points. The rivals take turns, round by round: noise of the machine meets all alike."""
         case = model_case(self.machine, n)
-        ready = [(contestant.name, *contestant.prepare(case)) for contestant in self.model]
+        ready = [(contestant.name, *contestant.prepare(case)) for contestant in self.rivals()]
         for _, call, _ in ready:
             call()
         expected = ready[0][2]()
@@ -101,6 +123,33 @@ class Contest:
         for routine in self.routines:
             rows += self._routine(routine, n, rounds, yardstick)
         return rows
+
+    def against(self, kernel: str, n: int, rounds: int) -> list[Timed]:
+        """What is emitted for a kernel, and what wrenfold emits: loops called with addresses made ready, from Python,
+        and NumPy.
+        """
+        routine = next(one for one in self.routines if one.name == kernel)
+        arrays = [values_of(argument, self.machine, n) for argument in routine.inputs]
+        theirs = unfolded(self.machine, routine) if kernel == MODEL else routine
+        ours, plain, numpy_call = self.compiled[kernel], getattr(self.module, kernel), numpy_of(theirs)
+        expected = np.asarray(ours(*arrays))
+        outs = [np.zeros_like(expected), np.zeros_like(expected)]
+        loops = []
+        for out, function in zip(outs, (cpp_of(theirs, self.folder), ours.function), strict=True):
+            addresses = [array.ctypes.data for array in (*arrays, out)]
+            loops.append(lambda function=function, addresses=addresses: function(n, n, *addresses))
+            loops[-1]()
+            check_agreement(kernel, out, expected)
+        check_agreement(kernel, numpy_call(*arrays), expected)
+        name = f"{self.machine.name} {kernel.removeprefix('tool_in_workpiece_')}"
+        calls: list[tuple[str, Callable[[], Any]]] = [
+            (f"{name}: wrenfold C++", loops[0]),
+            (f"{name}: C", loops[1]),
+            (f"{name}: C, called from Python", lambda: ours(*arrays)),
+            (f"{name}: wrenfold NumPy", lambda: numpy_call(*arrays)),
+            (f"{name}: NumPy", lambda: plain(*arrays)),
+        ]
+        return measure(calls, n, rounds)
 
     def _routine(self, routine: Routine, n: int, rounds: int, yardstick: float) -> list[Timed]:
         arrays = [values_of(argument, self.machine, n) for argument in routine.inputs]
