@@ -24,7 +24,7 @@ from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import InputError
 
-TRAVEL = 1500.0  # mm each way
+TRAVEL = 1600.0  # mm each way
 TOLERANCE = 0.0015  # mm along the path: half a word in each axis, and the height of a chord
 LENGTHS = {tool: 20.0 + 1.5 * tool for tool in range(1, 100)}  # mm; no two the same
 OFFSETS = [(300.0 + 10.0 * k, -200.0, 100.0 - 5.0 * k) for k in range(9)]  # of G54 and on, mm: errors are 0 at home
@@ -90,6 +90,14 @@ def kind_of(text: str, ran: Ran) -> str:
     return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
 
 
+def ways(settings: Settings) -> Iterator[tuple[str, Settings]]:
+    """What is given, the less the better, with its name."""
+    yield "", settings
+    stated = replace(settings, start=dict.fromkeys("XYZ", 0.0))
+    yield "with --start", stated
+    yield "with --start and --pass-m 0,1,6", replace(stated, pass_m=(*settings.pass_m, 0, 1, 6))
+
+
 def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grade:
     """Grade one program; what is written goes into the folder; via: by way of --via-linuxcnc."""
     name, text = program.name, program.read_bytes().decode("latin-1")
@@ -99,28 +107,26 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
         return Grade(name, kind)
     out = folder / "out.ngc"
     out.unlink(missing_ok=True)
-    settings, start = settings_of(text), ""
-    via_linuxcnc = package if via else None
     if via:  # LinuxCNC wants an end of the program
         program = folder / "in.ngc"
         program.write_bytes(ended(text.encode("latin-1")))
-    try:
-        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
-    except InputError:
-        settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
+    tried = refusal = ""
+    for tried, settings in ways(settings_of(text)):
         try:
-            report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
+            report = compensate_file(
+                program, out, machine(), settings, language="nc", via_linuxcnc=package if via else None
+            )
+            refusal = "" if report.good else "exit code 1: an error above the tolerance is left, and reported"
         except InputError as error:
-            return Grade(name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
-    if not report.good and not start:
-        settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
-        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
-    if not report.good:
-        return Grade(name, kind, "refused", "exit code 1: an error above the tolerance is left, and reported")
+            refusal = "; ".join(fault.problem for fault in error.faults[:3])
+        if not refusal:
+            break
+    if refusal:
+        return Grade(name, kind, "refused", refusal)
     written = run(out, package, LENGTHS, OFFSETS)
     if written.problem:
         return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
-    return _compared(name, kind, source, written, start)
+    return _compared(name, kind, source, written, tried)
 
 
 def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Grade:

@@ -154,7 +154,8 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
-                        help="M codes that move no axis and change no mode on this control")  # fmt: skip
+                        help="M codes that move no axis and change no mode on this control; 0, 1 or 6: where axes stay "
+                        "at stops or tool changes, so that they need not be commanded again")  # fmt: skip
 
 
 def _add_frames(parser: argparse.ArgumentParser) -> None:

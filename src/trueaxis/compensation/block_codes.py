@@ -19,12 +19,12 @@ def follow_codes(
     for code in codes:
         if problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
             faults.add(line, *problem)
+        elif m_codes.vouched_for(code, settings.pass_m):
+            notes.pass_code(line, code)
         elif code == m_codes.TOOL_CHANGE:
             notes.add(line, TOOL_CHANGE)
             commanded.displace()
         elif code in m_codes.STOPS:
             notes.add(line, STOP)
             commanded.stop()
-        elif code not in m_codes.KNOWN:
-            notes.pass_code(line, code)
     return not m_codes.END.isdisjoint(codes)

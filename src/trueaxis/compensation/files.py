@@ -7,6 +7,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Literal, Protocol
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation.apt_reader import AptReader
 from trueaxis.compensation.changes import Changes
 from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_of, is_klartext
@@ -183,7 +184,7 @@ def compensated(
             raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
         made = unrolled(
             program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
-            settings.reference_points,
+            settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m,
         )  # fmt: skip
         text, passed = made.text, (*settings.pass_m, *PASSED)
         settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)

@@ -187,7 +187,7 @@ class KlartextReader:
             state.position[row] = None
             state.commanded.lose([row])
             items.append(Start(tuple(math.nan if n == row else None for n in range(len(self._axes)))))
-        if m_codes.STOPS.intersection(block.codes):
+        if any(m_codes.may_move(code, self._settings.pass_m) for code in block.codes):
             self._stop(number)
         if m_codes.END.intersection(block.codes):
             state.ended = number
@@ -199,7 +199,7 @@ class KlartextReader:
                 continue
             if problem := m_codes.problem_of(code, self._settings.pass_m, "heidenhain"):
                 self._faults.add(number, *problem)
-            elif code in self._settings.pass_m and code not in m_codes.KNOWN:
+            elif m_codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
 
     def _moved(self, number: int, text: str, block: KlartextBlock) -> Move | None:

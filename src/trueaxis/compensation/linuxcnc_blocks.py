@@ -71,14 +71,19 @@ class Unrolled:
 
 
 def unrolled_program(
-    calls: Sequence[str], motions: Sequence[Motion], tools: Mapping[int, Tool], axes: Sequence[str] = AXES
+    calls: Sequence[str],
+    motions: Sequence[Motion],
+    tools: Mapping[int, Tool],
+    axes: Sequence[str] = AXES,
+    kept: bool = False,
 ) -> Unrolled:
     """The calls of rs274 in order, with the motions in their places; tools: in the order of the table, by which rs274
-    names them; axes: those of the machine: others get no word while they stand at 0.
+    names them; axes: those of the machine: others get no word while they stand at 0;
+    kept: whether a tool change moves no axis.
 
     Raises ValueError with what a call does that is not written.
     """
-    writer = _Writer(tools, axes)
+    writer = _Writer(tools, axes, kept)
     blocks = "".join(f"{line}\n" for line in _blocks(writer, calls, motions))
     return Unrolled(HEAD + blocks, writer.first_tool)
 
@@ -126,7 +131,8 @@ def spline_motions(remaining: deque[Motion], count: int, at: Sequence[float | No
 class _Writer:
     """What is in force: positions (at), unit and plane, feed, increments, and whether the spindle turns by G96."""
 
-    def __init__(self, tools: Mapping[int, Tool], axes: Sequence[str]) -> None:
+    def __init__(self, tools: Mapping[int, Tool], axes: Sequence[str], kept: bool) -> None:
+        self._kept = kept
         self._tools, self._numbers, self._changed = tools, [0, *tools], False
         self.first_tool: int | None = None
         self._unknown: list[float | None] = [None if axis in axes else 0.0 for axis in AXES]
@@ -161,7 +167,9 @@ class _Writer:
             if self._tools and not self._changed:
                 self._take_first(_numbers(arguments)[2] * self._unit)
         elif function == "CHANGE_TOOL":
-            self._changed, self.at = True, self._unknown  # it may move axes, which get words again
+            self._changed = True
+            if not self._kept:  # axes may have moved, and get words again
+                self.at = self._unknown
             yield f"T{self._numbers[int(float(arguments))]} M6"
         else:
             yield from _words(function, arguments)

@@ -1,7 +1,8 @@
 """What M codes do to positions and modes, and when they act.
 
 A code passes by itself only if ISO 6983-1 and the common controls (Fanuc, Haas, Siemens, Heidenhain, LinuxCNC) agree
-that it moves no axis and changes no mode. Most others are the builder's: the user vouches for them by `--pass-m`.
+that it moves no axis and changes no mode. Most others are the builder's: the user vouches for them by `--pass-m`. So
+does who knows that axes stay where they are at M0, M1 or M6.
 """
 
 from collections.abc import Collection
@@ -97,6 +98,16 @@ HARMFUL_ON: dict[str, dict[int, str]] = {
 }
 
 NOT_PASSED = "--pass-m does not pass it; write the program without it before compensating"
+
+
+def may_move(code: int, passed: Collection[int]) -> bool:
+    """Whether axes may stand elsewhere after a stop or a tool change: unless `passed` vouches that they do not."""
+    return code in KNOWN and not KNOWN[code].axes_kept and code not in passed
+
+
+def vouched_for(code: int, passed: Collection[int]) -> bool:
+    """Whether a code passes, or moves no axis, only because the user says so."""
+    return code in passed and (code not in KNOWN or not KNOWN[code].axes_kept)
 
 
 def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple[str, str] | None:

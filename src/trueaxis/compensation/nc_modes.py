@@ -55,7 +55,7 @@ class ModeReader:
         if meaning.program_number and state.moved:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         for code in meaning.miscellaneous:
-            if code in self._settings.pass_m and code not in m_codes.KNOWN:
+            if m_codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
             if code in m_codes.SPINDLE:
                 state.spindle = "" if code == m_codes.SPINDLE_STOP else f"M{code}"

@@ -150,9 +150,10 @@ class NcReader:
             items += self._data(number, line, body, block, meaning, again)
         else:
             items.append(self._motions.block(number, line, body, block, meaning, again))
-        if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
+        if meaning.changes_tool and self._tools.moves(meaning):  # after the motion too: controls do not agree on it
             state.commanded.displace()
-        if m_codes.STOPS.intersection(meaning.miscellaneous):
+        stops = m_codes.STOPS.intersection(meaning.miscellaneous)
+        if any(m_codes.may_move(code, self._settings.pass_m) for code in stops):
             state.commanded.stop()
             self._notes.add(number, STOP)
         if m_codes.END.intersection(meaning.miscellaneous):

@@ -1,5 +1,6 @@
 """Tool changes and tool lengths of an NC program: T, M6, G43, G43.1 and G49."""
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.machine import LINEAR
@@ -32,7 +33,8 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
-        self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults)
+        self._kept = m_codes.TOOL_CHANGE in settings.pass_m
+        self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults, self._kept)
         self._selected: int | None = None
         self._changed = False  # a tool has come since the last length was put in force
 
@@ -40,6 +42,10 @@ class ToolReader:
     def remedy(self) -> str:
         """What else would be right where the last change was one by T."""
         return self._changes.remedy
+
+    def moves(self, meaning: Meaning) -> bool:
+        """Whether the tool change of a block may move axes."""
+        return not self._kept or m_codes.TOOL_CHANGE not in meaning.miscellaneous
 
     def change(self, number: int, meaning: Meaning) -> None:
         """Take in what a block does to the tool."""
@@ -49,7 +55,8 @@ class ToolReader:
             self._selected = int(float(meaning.tool[1:]))
         if not meaning.changes_tool:
             return
-        state.commanded.displace()
+        if self.moves(meaning):
+            state.commanded.displace()
         if self._table is None:
             return
         if meaning.positions:

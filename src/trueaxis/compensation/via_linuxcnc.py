@@ -56,13 +56,14 @@ def unrolled(
     block_delete: BlockDelete = "fault",
     axes: Sequence[str] = AXES,
     reference_points: Mapping[str, Mapping[str, float]] | None = None,
+    kept: bool = False,
 ) -> Unrolled:
     """The program as lines and arcs in machine coordinates.
 
     package: the folder in which LinuxCNC is installed (`/`) or unpacked. block_delete: what / blocks are. axes: those
-    of the machine. reference_points: of Settings. Raises InputError when the interpreter is not there or refuses the
-    program, when an offset that the program uses is not known, or when the program does what lines and arcs do not
-    say.
+    of the machine. reference_points: of Settings. kept: whether a tool change moves no axis. Raises InputError when the
+    interpreter is not there or refuses the program, when an offset that the program uses is not known, or when the
+    program does what lines and arcs do not say.
     """
     where = package / "usr/lib/python3/dist-packages"
     if not (package / "usr/bin/rs274").is_file() or not list(where.glob("gcode*.so")):
@@ -87,13 +88,14 @@ def unrolled(
         rounds = []
         for number, (start, moved) in enumerate(zip(STARTS, MOVED, strict=True)):
             begin = "G53 G0 " + " ".join(f"{axis}{start[axis]}" for axis in axes)
-            elsewhere = json.dumps([way if axis in axes else 0.0 for axis, way in zip(AXES, moved, strict=True)])
+            ways = zip(AXES, moved, strict=True)
+            elsewhere = json.dumps([way if axis in axes and not kept else 0.0 for axis, way in ways])
             given = [f"motions{number}.var", str(where), table, begin, block_delete, elsewhere]
             rounds.append(_run([PYTHON, str(CALLS), "program.ngc", *given], here, env))
     _check_offsets(calls, offsets, name)
     motions = _motions(rounds, name)
     try:
-        return unrolled_program(calls.splitlines(), motions, {} if tools is None else tools.tools, axes)
+        return unrolled_program(calls.splitlines(), motions, {} if tools is None else tools.tools, axes, kept)
     except ValueError as problem:
         raise InputError([Fault(name, "", f"{problem}, which is not unrolled")]) from None
 
