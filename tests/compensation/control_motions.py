@@ -12,13 +12,17 @@ FloatArray = NDArray[np.float64]
 
 @dataclass
 class Motions:
-    """at: where the axes stand. runs: for each run of feed motions its points, arcs cut finely; rapids: ends."""
+    """at: where the axes stand. runs: for each run of feed motions its points, arcs cut finely; rapids: ends. tip:
+    length of the tool in the spindle; tips: the same at each run.
+    """
 
     at: list[float]
     finely: float = field(default=1e-5, kw_only=True)  # mm between arcs and their chords
     runs: list[list[list[float]]] = field(init=False, default_factory=list)
     rapids: list[list[float]] = field(init=False, default_factory=list)
     feeding: bool = field(init=False, default=False)
+    tip: float = field(init=False, default=0.0)
+    tips: list[float] = field(init=False, default_factory=list)
 
     def paths(self) -> list[FloatArray]:
         """The runs, each (3, n)."""
@@ -57,6 +61,7 @@ class Motions:
         else:
             if not self.feeding:
                 self.runs.append([self.at.copy()])
+                self.tips.append(self.tip)
             self.runs[-1] += points
         self.feeding = not rapid
         self.at = points[-1].copy()

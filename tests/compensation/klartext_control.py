@@ -43,9 +43,13 @@ class KlartextControl(Motions):
         elif match := re.match(r"CYCL DEF 7\.[1-9]\s*(I?)([XYZ])\s*([-+]?[\d.]+)", text):
             row = "XYZ".index(match[2])
             self.datum[row] = float(match[3]) * self.unit + (self.datum[row] if match[1] else 0.0)
+        elif match := re.match(r"TRANS DATUM (AXIS|RESET)(.*)", text):
+            self.datum = [0.0] * 3 if match[1] == "RESET" else self.datum
+            for _, axis, value in WORD.findall(match[2]):
+                self.datum["XYZ".index(axis)] = float(value) * self.unit
         elif match := re.match(r"TOOL CALL (\d+)", text):
             self.tool = int(match[1])
-            self.length = self.lengths.get(self.tool, 0.0)
+            self.length = self.tip = self.lengths.get(self.tool, 0.0)
         elif text.startswith("END PGM"):
             self.ended = True
         elif match := re.match(r"(LP|L|CC|CP|CR|C)(?=\s|$)(.*)", text):

@@ -54,7 +54,7 @@ class SiemensControl(Motions):
                 self.selected = int(value)
             elif name == "M" and value == 6.0:
                 self.spindle = self.selected
-                self.length = self.lengths.get(self.spindle, 0.0)
+                self.length = self.tip = self.lengths.get(self.spindle, 0.0)
         for name, _, value in words:
             if name == "D":
                 self.length = self.lengths.get(self.spindle, 0.0) if value else 0.0

@@ -110,23 +110,24 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
     if via:  # LinuxCNC wants an end of the program
         program = folder / "in.ngc"
         program.write_bytes(ended(text.encode("latin-1")))
-    tried = refusal = ""
     for tried, settings in ways(settings_of(text)):
-        try:
-            report = compensate_file(
-                program, out, machine(), settings, language="nc", via_linuxcnc=package if via else None
-            )
-            refusal = "" if report.good else "exit code 1: an error above the tolerance is left, and reported"
-        except InputError as error:
-            refusal = "; ".join(fault.problem for fault in error.faults[:3])
-        if not refusal:
-            break
-    if refusal:
-        return Grade(name, kind, "refused", refusal)
-    written = run(out, package, LENGTHS, OFFSETS)
-    if written.problem:
-        return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
-    return _compared(name, kind, source, written, tried)
+        refusal = _refusal(program, out, settings, package if via else None)
+        if refusal:
+            continue
+        written = run(out, package, LENGTHS, OFFSETS)
+        if written.problem:
+            return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
+        return _compared(name, kind, source, written, tried)
+    return Grade(name, kind, "refused", refusal)
+
+
+def _refusal(program: Path, out: Path, settings: Settings, via: Path | None) -> str:
+    """Why a program is refused; empty where it is written."""
+    try:
+        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via)
+    except InputError as error:
+        return "; ".join(fault.problem for fault in error.faults[:3])
+    return "" if report.good else "exit code 1: an error above the tolerance is left, and reported"
 
 
 def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Grade:
