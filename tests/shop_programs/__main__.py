@@ -2,13 +2,14 @@
 
 import argparse
 import json
+import random
 import subprocess
 import tempfile
 from collections import Counter
 from dataclasses import asdict
 from pathlib import Path
 
-from tests.shop_programs.grade import Grade, all_grades
+from tests.shop_programs.grade import Grade, all_grades, different
 
 PACKAGES = ("linuxcnc-uspace", "libboost-python1.74.0")  # of Debian 12: programs and interpreter, and what it needs
 SUFFIXES = frozenset({".ngc", ".nc", ".gcode", ".gc", ".tap"})
@@ -53,13 +54,17 @@ def main() -> None:
     grading.add_argument("folders", type=Path, nargs="+")
     grading.add_argument("--json", type=Path)
     grading.add_argument("--via-linuxcnc", action="store_true", help="unroll the programs first")
+    grading.add_argument("--share", type=float, default=1.0, help="of the different programs, drawn by --seed")
+    grading.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
     if args.command == "fetch":
         fetch(args.folder)
         return
     paths = {path for folder in args.folders for path in folder.rglob("*")}
     found = sorted(path for path in paths if path.suffix.lower() in SUFFIXES and path.is_file())
-    short = [path for path in found if path.stat().st_size <= LARGEST]
+    short = different([path for path in found if path.stat().st_size <= LARGEST])
+    if args.share < 1.0:
+        short = sorted(random.Random(args.seed).sample(short, round(args.share * len(short))))
     grades = []
     with tempfile.TemporaryDirectory() as folder:
         for one in all_grades(short, args.package, Path(folder), args.via_linuxcnc):

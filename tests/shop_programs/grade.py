@@ -5,6 +5,7 @@ path that was meant; the tool of the machine with errors at the written ones mus
 """
 
 import contextlib
+import hashlib
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -187,13 +188,16 @@ def _runs(ran: Ran) -> list[Run]:
     return found
 
 
-def all_grades(programs: list[Path], package: Path, folder: Path, via: bool) -> Iterator[Grade]:
-    """Grades of many programs, the same text once."""
-    seen: set[bytes] = set()
+def different(programs: list[Path]) -> list[Path]:
+    """The programs, the same text once."""
+    first: dict[bytes, Path] = {}
     for program in programs:
-        content = program.read_bytes()
-        if content in seen:
-            continue
-        seen.add(content)
+        first.setdefault(hashlib.sha256(program.read_bytes()).digest(), program)
+    return list(first.values())
+
+
+def all_grades(programs: list[Path], package: Path, folder: Path, via: bool) -> Iterator[Grade]:
+    """Grades of many programs."""
+    for program in programs:
         with contextlib.suppress(UnicodeError):
             yield grade(program, package, folder, via)
