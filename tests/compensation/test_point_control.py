@@ -219,6 +219,36 @@ def test_travel_is_that_of_the_axes_all_along_the_block(tmp_path: Path, name: st
     assert beyond
 
 
+@pytest.mark.parametrize(("name", "rotary"), [("table-table", "AC"), ("head-head", "BC")])
+@pytest.mark.parametrize("end", ["X90. Y-80. Z95.", "X-70. Y90. Z-60."])
+def test_words_of_the_tip_take_no_axis_out_of_its_travel(tmp_path: Path, name: str, rotary: str, end: str) -> None:
+    """The control would stop at its limit switch: what is written ends before it, and exit code 1 says so."""
+    machine = FiveAxes(TEXTS[name])
+    a, b = list(rotary)
+    start = f"X10. Y20. Z30. {a}35. {b}-15."
+    source = f"G21 G90\nT1 M6\nG0 X0. Y0. Z0. {a}0. {b}0.\nG43.4 H1\nG0 {start}\nG1 {end} F1000\nG49\nM30\n"
+    wide = dict.fromkeys(machine.model.axes, (-1e4, 1e4))
+    free, written = run(tmp_path, source, Narrow(machine.model, wide), "fanuc")
+    meant, done = (axes_at(machine, tips(text, rotary, machine)[-1][1]) for text in (source, written))
+    assert free.good
+    stopped = 0
+    for row, axis in enumerate(AXES):
+        sign = float(np.sign(done[row] - meant[row]))
+        limit = sign * float(meant[row]) + 1e-5  # of a row of programmed positions the last, which just fits
+        limits = (-1e4, limit) if sign > 0.0 else (-limit, 1e4)
+        try:
+            report, text = run(tmp_path, source, Narrow(machine.model, wide | {axis: limits}), "fanuc")
+        except InputError:  # the way to there leads out of the travel
+            continue
+        there = axes_at(machine, tips(text, rotary, machine)[-1][1])
+        assert sign * there[row] < limit < sign * done[row]
+        assert np.abs(there - done).max() < 0.06
+        assert not report.good
+        assert report.out_of_travel.first[-1] == 6
+        stopped += 1
+    assert stopped
+
+
 def test_a_machine_without_rotary_axes(tmp_path: Path) -> None:
     source = tmp_path / "in.nc"
     source.write_text("G21 G90\nT1 M6\nG43.4 H1\nG0 X1. Y1. Z1.\nM30\n")

@@ -13,6 +13,7 @@ from trueaxis.compensation.path import Path
 from trueaxis.compensation.placed import of_points
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import Solution
+from trueaxis.compensation.travel import inside_travel
 from trueaxis.compensation.word_choice import choose
 
 SAME_TURN = 1e-9  # deg: less is no turn but the rounding of sums
@@ -60,8 +61,7 @@ def execute(
     held = held[:, stretch.first : stretch.last]
     chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
     base = stretch.base(previous)
-    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
-    inside = Lattice(base[:, None], stretch.step).within(chosen.positions, low[:, None], high[:, None])
+    inside = inside_travel(chosen.positions, Lattice(base[:, None], stretch.step), model, tool_point)
     held_now = held[:, chosen.point - stretch.first]
     stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
     return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)

@@ -44,6 +44,14 @@ class PointControlled:
             found = found + self.base.correction(found, target - self.base.ideal(found, point))
         return found
 
+    def tip_positions(self, axis_positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Positions of the tip for which the control puts the axes there: the other way round."""
+        target = self.base.ideal(axis_positions, point)
+        found = axis_positions.copy()
+        for _ in range(_STEPS):
+            found = found + self.correction(found, target - self.ideal(found, point))
+        return found
+
     def ideal(self, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Tool point of the error-free machine: where the program wants it, whatever the rotary axes."""
         return self.base.ideal(self._upright(positions), point)

@@ -1,10 +1,11 @@
-"""Programmed positions outside the travel of their axes."""
+"""Positions outside the travel of their axes: programmed ones are faults, words that lead there stop at its end."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.machine import ErrorModel, FloatArray
+from trueaxis.compensation.lattice import Lattice
+from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.point_control import PointControlled
@@ -23,8 +24,8 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
     if isinstance(model, PointControlled):
         positions, owner = _passed(path, model, tool_point)
         model = model.base
-    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
-    outside = (positions < low[:, None] - _ROUNDING) | (positions > high[:, None] + _ROUNDING)
+    low, high = _limits(model)
+    outside = (positions < low - _ROUNDING) | (positions > high + _ROUNDING)
     points = np.flatnonzero(outside.any(axis=0))
     for point in points[np.unique(owner[points], return_index=True)[1]]:
         row = int(np.argmax(outside[:, point]))
@@ -32,8 +33,39 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
         faults.add(
             moves[int(owner[point])].line,
             f"{axis} = {positions[row, point]:g} is outside its travel",
-            f"from {low[row]:g} to {high[row]:g}",
+            f"from {low[row, 0]:g} to {high[row, 0]:g}",
         )
+
+
+def inside_travel(
+    positions: FloatArray, lattice: Lattice, model: ErrorModel, tool_point: FloatArray
+) -> FloatArray:  # fmt: skip
+    """Positions of words, (n_axes, n), those that lead out of the travel moved to where all axes are inside.
+
+    Under tool centre point control the tip goes to where the control puts the axes at the end of their travel.
+    """
+    low, high = _limits(model)
+    positions = lattice.within(positions, low, high)
+    if not isinstance(model, PointControlled):
+        return positions
+    low, high = _limits(model.base)
+    at = model.axis_positions(positions, tool_point)
+    out = ((at < low - _ROUNDING) | (at > high + _ROUNDING)).any(axis=0)
+    if not out.any():
+        return positions
+    rows = list(linear_rows(model.axes))
+    room = np.zeros_like(low)
+    room[rows] = 0.5 * np.sqrt((lattice.step[rows] ** 2).sum())  # what rounding of words moves an axis by at most
+    tips = lattice.nearest(model.tip_positions(np.clip(at, low + room, high - room), tool_point))
+    inside = positions.copy()
+    inside[rows] = np.where(out, tips[rows], positions[rows])
+    return inside
+
+
+def _limits(model: ErrorModel) -> tuple[FloatArray, FloatArray]:
+    """Lowest and highest positions, each (n_axes, 1)."""
+    limits = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64)
+    return limits[:, :1], limits[:, 1:]
 
 
 def _passed(path: Path, model: PointControlled, tool_point: FloatArray) -> tuple[FloatArray, NDArray[np.int64]]:
