@@ -9,11 +9,10 @@ from collections.abc import Callable, Iterable, Iterator
 
 from trueaxis.compensation import apt_words
 from trueaxis.compensation.apt_circle import Circle, arcs_through, unit
-from trueaxis.compensation.apt_feed import feed_of
 from trueaxis.compensation.apt_statements import Statement, decimals_of, number_of, statements
+from trueaxis.compensation.apt_words import feed_of, follow_codes
 from trueaxis.compensation.arc_rounding import half_unit
 from trueaxis.compensation.arcs import Arc, ArcError, Vector
-from trueaxis.compensation.block_codes import follow_codes
 from trueaxis.compensation.commanded import Commanded, CommandedAxes
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.machine import LINEAR

@@ -1,9 +1,16 @@
-"""Post-processor vocabulary: APT statements that move nothing, as NC blocks."""
+"""Post-processor vocabulary: APT statements that move nothing, as NC blocks, FEDRAT as an F word, M codes of blocks."""
 
+import math
 import re
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
-from trueaxis.compensation.apt_statements import Statement
+from trueaxis.compensation import m_codes
+from trueaxis.compensation.apt_statements import Statement, number_of
+from trueaxis.compensation.commanded import CommandedAxes
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.moves import STOP, TOOL_CHANGE, Notes
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 # kept as comments in the written program, of no influence on positions
 TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
@@ -83,7 +90,7 @@ def comment(text: str) -> str:
     return f"({''.join(sign if sign.isprintable() else '?' for sign in clean)})"
 
 
-def number_of(text: str) -> int | None:
+def whole_number(text: str) -> int | None:
     """A whole number from 0 to 999999, or None."""
     try:
         value = float(text)
@@ -94,7 +101,7 @@ def number_of(text: str) -> int | None:
 
 def _tool(statement: Statement) -> str | None:
     for word in statement.minor:
-        number = number_of(word)
+        number = whole_number(word)
         if number is not None:
             return f"T{number} M6"
     return None
@@ -104,7 +111,7 @@ def _spindle(statement: Statement) -> str | None:
     words = [word.upper() for word in statement.minor]
     if "OFF" in words:
         return "M5"
-    speed = next((number for word in words if (number := number_of(word)) is not None), None)
+    speed = next((number for word in words if (number := whole_number(word)) is not None), None)
     turn = "M4" if "CCLW" in words else "M3"
     if speed is None:
         return turn if not words or set(words) <= {"ON", "CLW", "CCLW"} else None
@@ -117,7 +124,7 @@ def _coolant(statement: Statement) -> str | None:
 
 
 def _auxiliary(statement: Statement) -> str | None:
-    number = number_of(statement.minor[0]) if statement.minor else None
+    number = whole_number(statement.minor[0]) if statement.minor else None
     return None if number is None else f"M{number}"
 
 
@@ -130,3 +137,55 @@ BLOCKS: dict[str, Callable[[Statement], str | None]] = {
     "STOP": lambda _: "M0",
     "OPSTOP": lambda _: "M1",
 }
+
+
+_PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
+_PER_TURN = {"MMPR": False, "PERREV": None, "IPR": True}
+
+
+class Feed(NamedTuple):
+    """mode: G94 or G95; word: the F word; per_minute: mm/min, NaN where it counts by turns."""
+
+    mode: str
+    word: str
+    per_minute: float
+
+
+def feed_of(words: Sequence[str], inch: bool) -> Feed | None:
+    """The feed of FEDRAT's words (upper case) in a program in inches or mm; None if they make none."""
+    numbers = [word for word in words if word[:1] in "+-.0123456789" and word]
+    units = [word for word in words if word not in numbers]
+    unit = units[0] if len(units) == 1 else "PERMIN" if not units else ""
+    table = {**_PER_MINUTE, **_PER_TURN}
+    value = number_of(numbers[0]) if len(numbers) == 1 else None
+    if value is None or unit not in table or value <= 0:
+        return None
+    of_inch = table[unit]
+    if of_inch is not None and of_inch != inch:
+        value *= MM_PER_INCH if of_inch else 1.0 / MM_PER_INCH
+    turns = unit in _PER_TURN
+    per_minute = math.nan if turns else value * (MM_PER_INCH if inch else 1.0)
+    word = f"F{value:.4f}".rstrip("0").rstrip(".")
+    return None if word == "F0" else Feed("G95" if turns else "G94", word, per_minute)
+
+
+_M_CODE = re.compile(r"\bM(\d+)\b")
+
+
+def follow_codes(
+    block: str, line: int, commanded: CommandedAxes, settings: Settings, faults: FaultLog, notes: Notes
+) -> bool:
+    """Follow the M codes of a block; returns whether one ends the program."""
+    codes = [int(code) for code in _M_CODE.findall(block)]
+    for code in codes:
+        if problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
+            faults.add(line, *problem)
+        elif m_codes.vouched_for(code, settings.pass_m):
+            notes.pass_code(line, code)
+        elif code == m_codes.TOOL_CHANGE:
+            notes.add(line, TOOL_CHANGE)
+            commanded.displace()
+        elif code in m_codes.STOPS:
+            notes.add(line, STOP)
+            commanded.stop()
+    return not m_codes.END.isdisjoint(codes)
