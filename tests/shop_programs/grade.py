@@ -25,7 +25,7 @@ from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import InputError
 
-TRAVEL = 1600.0  # mm each way
+TRAVEL = 1500.0  # mm each way
 TOLERANCE = 0.0015  # mm along the path: half a word in each axis, and the height of a chord
 LENGTHS = {tool: 20.0 + 1.5 * tool for tool in range(1, 100)}  # mm; no two the same
 OFFSETS = [(300.0 + 10.0 * k, -200.0, 100.0 - 5.0 * k) for k in range(9)]  # of G54 and on, mm: errors are 0 at home
@@ -85,10 +85,9 @@ def kind_of(text: str, ran: Ran) -> str:
     code = re.sub(r"\([^()]*\)|;.*", "", text)
     if {"uvw", "turned", "probe", "tap"} & ran.features or (ran.ends[:, 3:] != 0.0).any():
         return "rotary and parallel axes, turned frames, probing, tapping"
-    for kind, pattern in KINDS.items():
-        if re.search(pattern, code):
-            return kind
-    return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
+    if np.abs(ran.ends[:, :3]).max() > TRAVEL:
+        return "beyond the travel"
+    return next((kind for kind, pattern in KINDS.items() if re.search(pattern, code)), "plain")
 
 
 def ways(settings: Settings) -> Iterator[tuple[str, Settings]]:

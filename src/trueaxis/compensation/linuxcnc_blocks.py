@@ -19,7 +19,7 @@ SAME_LENGTH = 0.003  # mm: rs274 prints four decimals, in inches
 NO_LIMIT = 1e9  # revolutions a minute: LinuxCNC has 1e30 where G96 has no D
 SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
 UNCERTAIN = "where the axes stand at first or after a tool change, or on a reference point that is not given"
-_CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
+_CALL = re.compile(r"\s*\d+\s+N(?:\.+|\d+)\s*([A-Z]\w*)\((.*)\)\s*$")  # no space behind long numbers
 _MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
 _WORDS = {
     "START_SPINDLE_CLOCKWISE": "M3", "START_SPINDLE_COUNTERCLOCKWISE": "M4", "STOP_SPINDLE_TURNING": "M5",
@@ -176,15 +176,13 @@ class _Writer:
 
     def _take_first(self, length: float) -> None:
         """Take the tool whose length is put in force before any tool change to be the one in the spindle."""
-        if not length:
+        if not length or self.first_tool is not None:
             return
         same = [number for number, tool in self._tools.items() if abs(tool.shift[2] - length) < SAME_LENGTH]
         if not same or len({self._tools[number] for number in same}) > 1:
             raise ValueError(
                 f"a length of {length:.4f} mm is in force before a tool change: of which tool is not known,"
             )
-        if self.first_tool not in (None, *same):
-            raise ValueError("lengths of two tools are in force before a tool change")
         self.first_tool = same[0]
 
     def _spindle_mode(self, most: float) -> Iterator[str]:
