@@ -13,6 +13,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from platformdirs import user_cache_dir
+
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.staging import staged_folder, sweep
 
@@ -97,16 +99,7 @@ def _cache_root() -> Path:
             remedy = "an absolute path of a folder, which need not exist"
             raise InputError([Fault(f"{_VARIABLE} TRUEAXIS_CACHE", "", f"{named} {problem}", remedy)])
         return root
-    if sys.platform == "win32":
-        named, below = os.environ.get("LOCALAPPDATA", ""), ("AppData", "Local")
-    elif sys.platform == "darwin":
-        named, below = "", ("Library", "Caches")
-    else:
-        named, below = os.environ.get("XDG_CACHE_HOME", ""), (".cache",)
-    base = Path(named)
-    if not base.is_absolute():  # not set; or to be passed over, as the XDG specification has it
-        base = Path.home().joinpath(*below)
-    return base / "trueaxis"
+    return Path(user_cache_dir("trueaxis", appauthor=False, opinion=False))
 
 
 def _private_folder(root: Path) -> Path:
