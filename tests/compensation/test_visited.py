@@ -1,5 +1,7 @@
 """The places of a program: every one near a kept position, corrections never lost, memory bounded."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -44,8 +46,48 @@ def test_nothing_visited_is_nothing(model: MachineModel) -> None:
 def test_a_long_motion_passes_through_every_cell_of_its_way(model: MachineModel) -> None:
     visited = Visited(model, np.zeros((3, 1)))
     visited.add(np.array([[0.0], [0.0], [0.0]]), np.array([[540.0], [0.0], [0.0]]), np.zeros((3, 1)))
-    assert sorted(np.floor(visited.positions[0] / 20.0 - 1e-9).clip(0)) == list(range(27))
+    assert set(np.floor(visited.positions[0] / 20.0 - 1e-9).clip(0)) == set(range(27))
     samples = visited.samples([[250.0], [], []])
     along = np.round(np.unique(samples[0]), 6)
-    assert {*np.round(np.linspace(0.0, 540.0, 28), 6), 250.0} <= set(along)
-    assert np.diff(along).max() < 1.0  # nothing of the way is between the samples
+    assert {250.0, 540.0} <= set(along)
+    assert along[0] < 1.5
+    assert np.diff(along).max() < 1.5  # nothing of the way is between the samples
+    assert not samples[1:].any()
+
+
+FIVE_AXES = SimpleNamespace(
+    axes=("X", "Y", "Z", "A", "C"),
+    travel={"X": (0.0, 500.0), "Y": (0.0, 450.0), "Z": (0.0, 400.0), "A": (-110.0, 30.0), "C": (-360.0, 360.0)},
+)
+
+
+def test_samples_are_positions_of_the_program() -> None:
+    """Indexed rotary axes: what is between the indexed positions is passed at the retracted position alone."""
+    source, visited = np.random.default_rng(5), Visited(FIVE_AXES, np.zeros((3, 1)))
+    before = np.array([[250.0], [225.0], [400.0], [0.0], [0.0]])
+    for tilt, turn in ((0.0, 0.0), (-90.0, 0.0), (-90.0, 180.0)):
+        retracted = np.array([[250.0], [225.0], [400.0], [tilt], [turn]])
+        visited.add(before, retracted, np.zeros((5, 1)))
+        cut = np.vstack([source.uniform(100.0, 300.0, (3, 300)), np.full((2, 300), [[tilt], [turn]])])
+        visited.add(np.hstack([retracted, cut[:, :-1]]), cut, np.zeros((5, 300)))
+        visited.add(cut[:, -1:], retracted, np.zeros((5, 1)))
+        before = retracted
+    samples = visited.samples([[250.0], [225.0], [], list(np.arange(-110.0, 31.0, 10.0)), [90.0, 270.0]])
+    indexed = np.isin(samples[3], (0.0, -90.0)) & np.isin(samples[4], (0.0, 180.0))
+    np.testing.assert_allclose(samples[:3, ~indexed], np.tile([[250.0], [225.0], [400.0]], (~indexed).sum()))
+    assert {*samples[3, ~indexed]} >= set(np.arange(-80.0, 0.0, 10.0))
+    assert 90.0 in samples[4]
+    assert samples[4].max() == 180.0
+    assert samples.shape[1] < 2 * MOST_CELLS
+
+
+def test_much_is_kept_in_larger_cells_and_its_corners_are() -> None:
+    source, visited = np.random.default_rng(6), Visited(FIVE_AXES, np.zeros((3, 1)))
+    low, high = np.array(list(FIVE_AXES.travel.values())).T[:, :, np.newaxis]
+    positions = source.uniform(low, high, (5, 40_000))
+    positions[:, 7] = high[:, 0]
+    visited.add(np.hstack([positions[:, :1], positions[:, :-1]]), positions, np.zeros((5, 40_000)))
+    assert 500 < visited.positions.shape[1] <= MOST_CELLS
+    samples = visited.samples([[], [], [], [], []])
+    assert (samples == high).all(axis=0).any()
+    assert ((samples >= low) & (samples <= high)).all()

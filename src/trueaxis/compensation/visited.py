@@ -1,19 +1,39 @@
-"""Which parts of the travel a program visits, and how far it is corrected there: bounded, however long it is."""
+"""Which positions a program visits, and how far it is corrected there: bounded, however long it is."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
+import numpy.typing as npt
 
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows, rotary_rows
-from trueaxis.model.volume import quasi_random
 
-LEAST_SAMPLES = 2000  # within the cells
-MOST_CELLS = 20_000  # of the whole travel: 27 along each of three axes, 7 along each of five
+MOST_CELLS = 8000  # of a program: u at so many positions takes about half a second
+# Errors do not differ within a cell of these, 1 mm of a travel of 500 mm.
+FINEST = 512  # cells along an axis; a power of two: halves are whole
+MOST_SAMPLES = 500_000  # along the motions of one batch: 30 MB
+
+
+@dataclass(slots=True)
+class _Cell:
+    """position: with the largest correction, (n_axes,), mm or deg; low, high: what the axes pass within the cell."""
+
+    position: FloatArray
+    correction: float
+    low: FloatArray
+    high: FloatArray
+
+    def add(self, other: "_Cell") -> None:
+        """Take in what was visited of the same cell later."""
+        if other.correction > self.correction:
+            self.position, self.correction = other.position, other.correction
+        self.low, self.high = np.minimum(self.low, other.low), np.maximum(self.high, other.high)
 
 
 class Visited:
-    """The cells of the travel that a program comes to or passes through, with the largest correction in each.
+    """Cells that a program comes to or passes through, each with a position of the program in it. They are as small as
+    their bounded number allows: axes that stand still make no cells.
 
     tool_point: the one that came there, (3, 1), mm, tool frame. largest_turn: the largest correction of a rotary axis,
     deg, at the programmed position `turned_at`, (n_axes,).
@@ -22,14 +42,15 @@ class Visited:
     def __init__(self, model: ErrorModel, tool_point: FloatArray) -> None:
         self.tool_point = tool_point
         self._linear, self._rotary = list(linear_rows(model.axes)), list(rotary_rows(model.axes))
-        self._each = int(MOST_CELLS ** (1.0 / len(model.axes)))
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low = low[:, np.newaxis]
-        self._width = np.maximum(high - low, 1e-9)[:, np.newaxis] / self._each
-        self._strides = self._each ** np.arange(len(model.axes))
-        self._cells: dict[int, tuple[FloatArray, float]] = {}
-        self._lowest = np.full(len(model.axes), np.inf)
-        self._highest = np.full(len(model.axes), -np.inf)
+        self._travel = np.maximum(high - low, 1e-9)[:, np.newaxis]
+        self._each = FINEST
+        self._cells: dict[int, _Cell] = {}
+        count = len(model.axes)
+        self._lowest, self._highest = np.full(count, np.inf), np.full(count, -np.inf)
+        self._directions = np.array([*np.eye(count), *-np.eye(count), *product((-1.0, 1.0), repeat=count)])
+        self._farthest = np.zeros((count, 0))
         self.largest_turn, self.turned_at = 0.0, low
 
     def add(self, origins: FloatArray, positions: FloatArray, moved: FloatArray) -> None:
@@ -41,39 +62,67 @@ class Visited:
             return
         self._lowest = np.minimum(self._lowest, positions.min(axis=1))
         self._highest = np.maximum(self._highest, positions.max(axis=1))
+        candidates = np.hstack([self._farthest, positions])
+        self._farthest = candidates[:, np.argmax(self._directions @ (candidates / self._travel), axis=1)]
         turns = np.abs(moved[self._rotary]).max(axis=0, initial=0.0)
         if turns.max() > self.largest_turn:
             self.largest_turn, self.turned_at = float(turns.max()), positions[:, int(np.argmax(turns))]
         corrections = np.sqrt((moved[self._linear] ** 2).sum(axis=0))
         way = np.where(np.isnan(origins), 0.0, positions - origins)
-        # two samples to a cell's width: none is passed through unseen
-        parts = np.maximum(np.ceil(2.0 * np.abs(way / self._width).max(axis=0)), 1.0).astype(np.int64)
+        while (parts := self._parts(way)).sum() > MOST_SAMPLES and self._each > 1:
+            self._halve()
         source = np.repeat(np.arange(parts.size), parts)
         share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
-        self._note(positions[:, source] - share * way[:, source], np.where(share == 0.0, corrections[source], 0.0))
+        samples, step = positions[:, source] - share * way[:, source], way[:, source] / parts[source]
+        self._note(samples, step, np.where(share == 0.0, corrections[source], 0.0))
+        while len(self._cells) > MOST_CELLS:
+            self._halve()
 
-    def _note(self, positions: FloatArray, corrections: FloatArray) -> None:
-        place = np.clip(((positions - self._low) / self._width).astype(np.int64), 0, self._each - 1)
+    def _parts(self, way: FloatArray) -> npt.NDArray[np.int64]:
+        """(n,): into how many motions are divided: two to a cell's width, none is passed through unseen."""
+        cells = np.abs(way / self._travel).max(axis=0) * self._each
+        return np.maximum(np.ceil(2.0 * cells), 1.0).astype(np.int64)
+
+    def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
+        """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
+        place = np.clip(((positions - self._low) / self._travel * self._each).astype(np.int64), 0, self._each - 1)
         every = self._strides @ place
         order = np.lexsort((-corrections, every))  # of each cell the largest correction first
         keys, first = np.unique(every[order], return_index=True)
-        for key, at in zip(keys.tolist(), order[first].tolist(), strict=True):
-            correction = float(corrections[at])
-            position, before = self._cells.get(key, (positions[:, at], 0.0))
-            if correction > before:
-                position = positions[:, at]
-            # a view would keep the points of its whole batch
-            self._cells[key] = (position.copy(), max(before, correction))
+        low = np.minimum.reduceat(np.minimum(positions, positions - step)[:, order], first, axis=1)
+        high = np.maximum.reduceat(np.maximum(positions, positions - step)[:, order], first, axis=1)
+        at = order[first]
+        # a view would keep the points of its whole batch
+        found = zip(positions[:, at].T.copy(), corrections[at].tolist(), low.T, high.T, strict=True)
+        for key, parts in zip(keys.tolist(), found, strict=True):
+            _put(self._cells, key, _Cell(*parts))
+
+    def _halve(self) -> None:
+        """Make cells twice as long along every axis."""
+        keys = self._indices // 2
+        self._each //= 2
+        before, self._cells = self._cells, {}
+        for key, cell in zip((self._strides @ keys).tolist(), before.values(), strict=True):
+            _put(self._cells, key, cell)
+
+    @property
+    def _strides(self) -> npt.NDArray[np.int64]:
+        return self._each ** np.arange(self._lowest.size, dtype=np.int64)
+
+    @property
+    def _indices(self) -> npt.NDArray[np.int64]:
+        """(n_axes, m): where the cells are, counted along each axis."""
+        return np.array(list(self._cells), dtype=np.int64) // self._strides[:, np.newaxis] % self._each
 
     @property
     def positions(self) -> FloatArray:
         """(n_axes, m): for each cell where its largest correction is, in the order of the first visits, mm or deg."""
-        return np.array([position for position, _ in self._cells.values()]).reshape(-1, self._lowest.size).T
+        return np.array([cell.position for cell in self._cells.values()]).reshape(-1, self._lowest.size).T
 
     @property
     def corrections(self) -> FloatArray:
         """(m,): the largest correction in each cell, mm."""
-        return np.array([correction for _, correction in self._cells.values()])
+        return np.array([cell.correction for cell in self._cells.values()])
 
     @property
     def ends(self) -> FloatArray:
@@ -83,23 +132,25 @@ class Visited:
         return np.stack([self._lowest, self._highest], axis=1)
 
     def samples(self, nodes: Sequence[Sequence[float]]) -> FloatArray:
-        """(n_axes, k), mm or deg: corners of the visited cells, points within, and every node in their middle.
+        """(n_axes, k), mm or deg: positions of the program: one of each cell, those farthest out, and where it passes
+        nodes; nothing that it does not come to: what is unknown elsewhere does not concern it.
 
-        nodes: of each axis, rising: positions at which curves may have what they have nowhere else.
+        nodes: of each axis: positions at which curves may have what they have nowhere else.
         """
-        keys = np.array(list(self._cells), dtype=np.int64)
-        cells = keys[np.newaxis] // self._strides[:, np.newaxis] % self._each
-        corners = [cells + np.array(step)[:, np.newaxis] for step in product((0, 1), repeat=self._lowest.size)]
-        unique = np.unique(np.hstack(corners), axis=1)
-        found = [self._low + unique * self._width]
-        each = -(-LEAST_SAMPLES // keys.size)
-        within = quasi_random(self._lowest.size, each * keys.size)  # corners may all lie at targets of a measurement
-        found.append(self._low + (np.repeat(cells, each, axis=1) + within) * self._width)
-        low, middle = self._low + cells * self._width, self._low + (cells + 0.5) * self._width
+        return np.hstack([self.positions, self._farthest, *self._at_nodes(nodes)])
+
+    def _at_nodes(self, nodes: Sequence[Sequence[float]]) -> Iterator[FloatArray]:
+        low = np.array([cell.low for cell in self._cells.values()])
+        high = np.array([cell.high for cell in self._cells.values()])
         for row, of_axis in enumerate(nodes):
             for node in of_axis:
-                inside = (low[row] <= node) & (node <= low[row] + self._width[row])
-                at = middle[:, inside]
+                at = self.positions[:, (low[:, row] <= node) & (node <= high[:, row])]
                 at[row] = node
-                found.append(at)
-        return np.hstack(found)
+                yield at
+
+
+def _put(cells: dict[int, _Cell], key: int, cell: _Cell) -> None:
+    if key in cells:
+        cells[key].add(cell)
+    else:
+        cells[key] = cell
