@@ -108,3 +108,59 @@ def test_missing_dimensions_are_one_fault(tmp_path: Path, capsys: pytest.Capture
     assert "bar-xy, bar-xz, bar-yz" in first
     assert "--known" in first
     assert "run bar-xy: the balls are" in second
+
+
+def bar_beside(folder: Path, z: float) -> Path:
+    """A circle of 150 mm; the ball on the workpiece is said to be z above its plane."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 40)
+    at = zip(270.0 + 150.0 * np.cos(turn), 350.0 + 150.0 * np.sin(turn), strict=True)
+    rows = [f"bar,{k},{a!r},{b!r},200,0.001" for k, (a, b) in enumerate((float(a), float(b)) for a, b in at)]
+    setup = BAR.format(y=-350.0, length=150.0).replace("200.0]", f"{200.0 + z}]")
+    return written(folder, setup, rows)
+
+
+@pytest.mark.parametrize("known", [None, 0.0])
+def test_a_ball_off_along_the_axis_of_its_circle_has_likelier_causes_than_its_length(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], known: float | None
+) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    words = [*commands(bar_beside(tmp_path / "data", 50.0), out)["identify"], *KERNELS]
+    if known is not None:
+        names = ["q_wx", "q_wy", "q_wz", "q_Tx", "q_Ty", "q_Tz"]
+        values = {"schema": 1, "machine": "dmu60p", "parameters": dict.fromkeys(names, known)}
+        (tmp_path / "known.json").write_text(json.dumps(values))
+        words += ["--known", str(tmp_path / "known.json")]
+    assert main(words) == 2
+    told = capsys.readouterr().err
+    assert "the balls are 158.114 mm apart at the first position, not 150 mm" in told
+    taken = "given as" if known is not None else "not given, taken as"
+    causes = [
+        "likeliest first",
+        f"dimension q_wz = -50 mm (--known; {taken} 0)",
+        f"dimension q_Tz = 50 mm (--known; {taken} 0)",
+        "the ball on the workpiece would have to be at [270.0, -350.0, 200.0] (key reference.point)",
+        "is the length 158.113 mm? (key length)",
+    ]
+    places = [told.find(cause) for cause in causes]
+    assert -1 not in places
+    assert places == sorted(places)
+
+
+def test_a_dimension_that_is_given_wrong_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The spec has the tool 80 mm too low: the circle across fits no other single cause but the ball."""
+    out, data = tmp_path / "out", tmp_path / "data"
+    out.mkdir()
+    turn = np.linspace(0.0, 2.0 * np.pi, 40)
+    at = zip(200.0 * np.cos(turn), 280.0 + 200.0 * np.sin(turn), strict=True)
+    rows = [f"bar,{k},{270.0 + a!r},350,{b!r},0.001" for k, (a, b) in enumerate((float(a), float(b)) for a, b in at)]
+    setup = BAR.format(y=-350.0, length=200.0)
+    words = [*commands(written(data, setup, rows), out)["plan"], *KERNELS, "--known", str(tmp_path / "known.json")]
+    values = {"schema": 1, "machine": "dmu60p", "parameters": {"q_Tz": 0.0, "q_wz": 0.0}}
+    (tmp_path / "known.json").write_text(json.dumps(values))
+    assert main(words) == 2
+    told = capsys.readouterr().err
+    assert "dimension q_Tz = -80 mm (--known; given as 0)" in told
+    assert "the ball on the workpiece would have to be at [270.0, -350.0, 280.0]" in told
+    assert "dimension q_Tx" not in told
+    assert "is the length" not in told

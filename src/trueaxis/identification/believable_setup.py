@@ -10,13 +10,14 @@ from typing import cast
 import numpy as np
 
 from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.identification.ball_causes import ball_causes
 from trueaxis.identification.expected_size import expected_size
 from trueaxis.io.faults import Fault
 from trueaxis.measurement.data import MeasuredData, readings_path
 from trueaxis.measurement.instrument_kinds import ARM, unit_of_file
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_geometry import along_line
-from trueaxis.measurement.reading_model import ideal_bar, ideal_reading, measuring_frame
+from trueaxis.measurement.reading_model import ideal_reading
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import FILE_NAME, Run
 from trueaxis.model.model import MachineModel
@@ -28,7 +29,6 @@ BELIEVED = 5.0  # times the prior standard deviation of a reading
 SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5, "displacement": 0.5, "angle": 1.0}
 BY_EYE = 5e-4  # rad, one standard deviation: what a line of straightness is off by that nobody has aligned with care
 MOST_ROWS = 5  # named of a run
-MOST_FITTED = 500  # positions that the place of a ball is sought from
 IN_UNIT = "is the reading in {unit}? [prior] of the machine's spec says what errors may be expected"
 
 
@@ -70,7 +70,7 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
                 str(folder / FILE_NAME),
                 f"run {run.id}",
                 _apart(run, ideal[first], first),
-                _ball(model, run, positions, reading),
+                ball_causes(model, run, positions, reading),
             )
         ]
     named = ", ".join(str(readings.seq[rows[row]]) for row in wrong[:MOST_ROWS])
@@ -96,41 +96,3 @@ def _apart(run: Run, off: float, row: int) -> str:
     length = cast(float, run.length)
     at = "at the first position" if row == 0 else f"at position {row + 1}"
     return f"the balls are {length + off:.6g} mm apart {at}, not {length:g} mm"
-
-
-def _ball(model: MachineModel, run: Run, positions: FloatArray, reading: FloatArray) -> str:
-    """Where the ball that rests in the measuring frame would have to be, or what length the bar; else what to check."""
-    every = slice(None, None, max(positions.shape[1] // MOST_FITTED, 1))
-    ends = {"target": run.target, "reference": run.reference}
-    name, end = next((name, end) for name, end in ends.items() if end.on == measuring_frame(run))
-    sign = 1.0 if name == "target" else -1.0
-    # the other ball, seen from the point that is given
-    other = -sign * ideal_bar(model, run, np.ascontiguousarray(positions[:, every]))
-    length = cast(float, run.length) + reading[every]
-    distance = np.linalg.norm(other, axis=0)
-    if float(np.ptp(distance - length + cast(float, run.length))) <= SET_UP["ballbar"]:
-        return f"is the length {float(np.mean(distance - reading[every])):.6g} mm?"
-    moved = _centre(other, length)
-    silent = _silent(model)
-    hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
-    if moved is None:
-        return f"points, positions and length that agree{hint}"
-    at = [round(float(value), 3) + 0.0 for value in np.array(end.point) + moved]
-    return f"the ball on the {end.on} would have to be at {at} (key {name}.point){hint}"
-
-
-def _centre(other: FloatArray, length: FloatArray) -> FloatArray | None:
-    """(3,): the point from which points (3, n) are at distances (n,); None where no point is."""
-    from scipy.optimize import least_squares  # noqa: PLC0415  only a fault asks for it
-
-    # |p|^2 - 2 p c + k = length^2 with k = |c|^2 is linear: a start that no distance between the points can mislead
-    rows = np.vstack([2.0 * other, -np.ones(other.shape[1])]).T
-    start = np.linalg.lstsq(rows, (other**2).sum(axis=0) - length**2, rcond=1e-9)[0][:3]
-
-    def off(centre: FloatArray) -> FloatArray:
-        return np.asarray(np.linalg.norm(other - centre[:, np.newaxis], axis=0) - length)
-
-    fits = [least_squares(off, at, max_nfev=100) for at in (start, np.zeros(3))]
-    best = min(fits, key=lambda fit: float(fit.cost))
-    near = float(np.abs(best.fun).max()) <= SET_UP["ballbar"]
-    return np.asarray(best.x, dtype=np.float64) if near else None

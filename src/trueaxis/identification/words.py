@@ -42,6 +42,11 @@ def enumerated(words: Sequence[str]) -> str:
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}" if words else ""
 
 
+def alternatives(words: Sequence[str]) -> str:
+    """`a`, `a or b`, `a, b or c`."""
+    return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
 def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[Share]) -> str:
     """Location errors and slopes that can take each other's place: `eps_xy and the slope of EYX: only their sum`."""
     last = shares[-1].value
