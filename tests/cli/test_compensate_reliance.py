@@ -58,11 +58,11 @@ def test_what_is_open_is_said_and_refused_under_a_limit(
 def test_the_limit_is_that_of_the_largest_u_along_the_program(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """EXX alone, with a slope known to 1 %: at X = 540, the end of the last cell of the program, its u is 54 nm."""
+    """EXX alone, with a slope known to 1 %: at X = 530, the farthest of the program, its u is 53 nm."""
     errors = written(tmp_path, motion_errors={"EXX": line(1e-5, u=[1e-7])})
-    assert compensate(tmp_path, errors, "--max-u", "0.0000541") == 0
-    assert "from home, in one coordinate: 0.054 um" in capsys.readouterr().out
-    assert compensate(tmp_path, errors, "--max-u", "0.0000539") == 1
+    assert compensate(tmp_path, errors, "--max-u", "0.0000531") == 0
+    assert "from home, in one coordinate: 0.053 um" in capsys.readouterr().out
+    assert compensate(tmp_path, errors, "--max-u", "0.0000529") == 1
 
 
 def test_values_that_are_more_uncertain_than_large_are_refused(

@@ -13,6 +13,7 @@ from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posterior_at
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.giving_way import giving_way
+from trueaxis.estimation.instrument_sizes import as_expected
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
 from trueaxis.estimation.left_out import Contradiction, contradictions
@@ -178,6 +179,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         converged = last < STILL
     misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
+    beside_it = as_expected(sizes, found, x) if setting.options.prior else None
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
@@ -193,6 +195,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
         likelier=ratios,
+        as_expected=beside_it and replace(beside_it, spread=beside_it.spread * layout.sizes[:, np.newaxis]),
         ideal=setting.options.ideal,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(

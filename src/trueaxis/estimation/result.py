@@ -8,6 +8,7 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.gauge import exactly_level, levelling
+from trueaxis.estimation.instrument_sizes import AsExpected
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.left_out import Contradiction
 from trueaxis.estimation.misread import Misread
@@ -73,7 +74,7 @@ class Estimate:
     instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
     factors: class of sizes -> the estimated size over the expected one; likelier: of the classes of the machine's
     errors whose size is more than a factor of SAID from the expected one, the logarithm of how much likelier it is than
-    that one; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
+    that one; as_expected: by the expected sizes of instrument unknowns, where estimated ones are far smaller; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
     1; zeroed: effects that are zero, since the readings make their square negative; ideal: whether nothing was taken as
     unknown of the instruments.
     """
@@ -87,6 +88,7 @@ class Estimate:
     scale: FloatArray
     factors: Mapping[str, float]
     likelier: Mapping[str, float] = field(default_factory=dict)
+    as_expected: AsExpected | None = None
     own: Mapping[int, FloatArray] = field(default_factory=dict)
     zeroed: tuple[Effect, ...] = ()
     ideal: bool = False
@@ -112,7 +114,11 @@ class Estimate:
         if self.unknowns[: self.layout.of_machine].any():
             unknowns = exactly_level(self.layout, self.values, given, unknowns, self.scale)
         values = self.layout.values(unknowns, given)
-        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)
+        beside_it = self.as_expected and replace(self.as_expected, spread=change @ self.as_expected.spread)
+        return replace(
+            self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior,
+            as_expected=beside_it,
+        )  # fmt: skip
 
 
 def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:

@@ -6,11 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.estimation.evidence import LIKELIER
-from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
+from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identification.instrument_notes import instrument_size_notes
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
 from trueaxis.identification.words import enumerated, in_small
@@ -131,23 +132,7 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return (*notes, *_alignment(observed, found), *misread_notes(observed, found), *_zeros_far_off(observed, found))
-
-
-def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
-    """How well lines of straightness are taken to be aligned: what is known of directions from home rests on it."""
-    lines = [
-        run.id
-        for index, run in enumerate(observed.runs)
-        if index in found.own and found.layout.straightness[index] and not states_line(run)
-    ]
-    if lines and not found.ideal:
-        size = CLASSES["straightness slope"].size * found.factors["straightness slope"]
-        yield (
-            f"{enumerated(lines)}: lines of straightness are taken as aligned to {size * 1e6:.2g} urad, which the "
-            "readings make likely; squareness and directions from home rest on that. Lines that were turned until both "
-            "ends read alike tell nothing of them: state line_u_urad = 1000 of their [device] in setup.toml"
-        )
+    return (*notes, *instrument_size_notes(model, observed, found), *misread_notes(observed, found), *_zeros_far_off(observed, found))
 
 
 def _times(log_ratio: float) -> str:

@@ -1,0 +1,50 @@
+"""What is said of sizes of instrument unknowns: how small they came out, from how many values, u by the usual sizes."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from tests.generator.dmu60p import cubic_errors
+from tests.identification.data import dmu60p_model, mixed_data
+from tests.identification.test_paper import DIMENSIONS
+from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.instruments import CLASSES
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.report import Identification
+from trueaxis.model.errors import ErrorValues
+
+GIVEN = IdentifyOptions(known=ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
+
+
+def identified(options: IdentifyOptions = GIVEN) -> Identification:
+    """The readings hold instruments that nothing is wrong with: no centre is off, no zero, no drift."""
+    return identify_estimated(dmu60p_model(), mixed_data(cubic_errors(), seed=1), options)
+
+
+def notes_of(found: Identification) -> list[str]:
+    return [note for note in found.report.notes if note.startswith("u rests on sizes")]
+
+
+def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bracket is what an estimate comes to that takes the sizes of instruments as usual, which is another fit."""
+    found = identified()
+    (note,) = notes_of(found)
+    assert re.search(r"ballbar centre 1\.\d+ um, from 3 values \(usual 50 um\)", note)
+    assert "laser zero 0.0" in note
+    told = {name: (float(now), float(then)) for name, now, then in re.findall(r"(\w+) ([\d.]+) \w+ \(([\d.]+) \w", note)}
+    now, then = told["EAZ"]
+    assert then > 2.0 * now
+    for name, one in CLASSES.items():
+        monkeypatch.setitem(CLASSES, name, replace(one, factor=1.0))  # type: ignore[arg-type]
+    usual = identified()
+    u = {part.name: part.u for part in usual.report.components}
+    assert not notes_of(usual)
+    assert u["EAZ"] == pytest.approx(then * 1e-6, rel=0.3)
+    assert usual.report.tool is not None
+    assert usual.report.tool.u_rms * 1e3 == pytest.approx(told["volume"][1], rel=0.3)
+
+
+@pytest.mark.parametrize("estimation", [EstimationOptions(prior=False), EstimationOptions(ideal=True)])
+def test_nothing_is_said_where_no_size_is_estimated_or_the_prior_has_no_part(estimation: EstimationOptions) -> None:
+    assert not notes_of(identified(replace(GIVEN, estimation=estimation)))
