@@ -224,6 +224,26 @@ class TestDerive:
         assert f"run: trueaxis derive {small} --out {written}" in shown
         assert {path: path.read_bytes() for path in (written / "small").iterdir()} == before
 
+    def test_the_kernels_of_another_spec_of_the_name_are_kept(
+        self, small: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Deriving, and the remedy of a command that meets them, would leave the first machine without its kernels."""
+        kernels, other = small.parent / "generated", tmp_path / "other" / small.name
+        other.parent.mkdir()
+        other.write_text(SMALL)
+        assert main(["derive", str(other), "--out", str(kernels)]) == 0  # the same machine, wherever its file lies
+        assert main(["derive", str(small), "--out", str(kernels)]) == 0
+        before = {path: path.read_bytes() for path in (kernels / "small").iterdir()}
+        other.write_text(SMALL.replace("400.0", "405.0"))
+        capsys.readouterr()
+        assert main(["derive", str(other), "--out", str(kernels)]) == 2
+        assert "another spec of the name small; another folder by --out" in capsys.readouterr().err
+        words = ["--with", "laser", "--hours", "1", "--out", str(tmp_path / "p"), "--kernels", str(kernels)]
+        assert main(["plan", str(other), *words]) == 2
+        assert "another spec of this name; run: trueaxis derive" in (told := capsys.readouterr().err)
+        assert "--out OTHER, and give --kernels OTHER" in told
+        assert {path: path.read_bytes() for path in (kernels / "small").iterdir()} == before
+
     def test_a_folder_of_runs_that_is_not_there(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         spec = tmp_path / "dmu60p.toml"
         spec.write_text(DMU60P.read_text())

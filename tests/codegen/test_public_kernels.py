@@ -16,7 +16,7 @@ from tests.derivation.test_routine import models
 from tests.machines import ROOT
 from trueaxis.codegen.c_source import c_header, c_source
 from trueaxis.codegen.control_source import control_sources
-from trueaxis.codegen.meta import spec_label
+from trueaxis.machine.spec_label import spec_label
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")
 KERNELS = ROOT / "generated" / "dmu60p"

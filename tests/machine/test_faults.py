@@ -104,6 +104,7 @@ ONE_FAULT = {
     "a word of Python": ('"q_wx"', '"lambda"', 17, "body[1].position", "'lambda' clashes", "another name"),
     "a word of C": ('"q_wx"', '"double"', 17, "body[1].position", "'double' clashes", "another name"),
     "a component's name": ('"q_wx"', '"EXY"', 17, "body[1].position", "'EXY' clashes", "another name"),
+    "a coordinate": ('"q_wx"', '"bx"', 17, "body[1].position", "for a coordinate: b, d, e, i", "such as q_bx"),
     "an axis's name": ('"d_c"', '"y"', 26, "body[2].position_errors", "'y' clashes", "another name"),
     "no name": ('"d_c"', '"d-c"', 26, "body[2].position_errors", "'d-c' is no name", "a letter"),
     "two bodies of a name": ('"C head"', '"Y slide"', 21, "body[2].name", "body 2 is called 'Y slide' too", "its own"),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.derive import check_kinds, derive
+from trueaxis.jobs.derive import check_kinds, derive, faults_of_folder
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.topology import format_lower_body_array, tool_senses
@@ -44,6 +44,8 @@ def run(args: argparse.Namespace) -> int:
     inputs = {"MACHINE.toml": args.machine, "--runs": args.runs}
     outputs = {f"{name} of --out": args.out / machine.name / name for name in KERNEL_FILES}
     found = overwritten(inputs, outputs)
+    if not args.check:
+        found += faults_of_folder(machine, args.machine, args.out)
     with gathering(found):
         check_kinds(machine, args.machine)
     if found:

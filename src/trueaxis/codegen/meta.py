@@ -1,8 +1,6 @@
 """The META record: what a program must know to call the kernels, and what a reader must know of their symbols."""
 
-import re
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from trueaxis.derivation import symbols
@@ -16,23 +14,9 @@ from trueaxis.machine.machine import ROTARY, Machine
 ABI = 3  # raised whenever the signature, layout or meaning of a kernel changes
 
 
-# What a comment of C, Python and Markdown may hold: no end of a comment, no second line.
-_NAMEABLE = re.compile(r"(?!.*(?:--|\.\.))[\w. /-]+")
-
-
 def spec_name(machine: Machine) -> str:
     """How generated files name a spec of which no file is known."""
     return f"machines/{machine.name}.toml"
-
-
-def spec_label(spec: Path, out: Path) -> str:
-    """How generated files name the spec that was given: from the folder that holds OUT, else by its name alone.
-
-    So the name does not depend on where the command was run, and holds no folder outside the user's own tree.
-    """
-    root, given = out.resolve().parent, spec.resolve()
-    label = given.relative_to(root).as_posix() if given.is_relative_to(root) else given.name
-    return label if _NAMEABLE.fullmatch(label) else "the machine's spec"
 
 
 def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:

@@ -11,10 +11,12 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.load import KERNELS, AnyPath
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.machine import LINEAR
+from trueaxis.machine.spec_label import spec_label
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.setup import PointOn
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.kernels import numpy_kernels
+from trueaxis.model.manifest import other_spec
 from trueaxis.model.model import MachineModel
 from trueaxis.view import Carrier
 
@@ -57,12 +59,13 @@ def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = N
     """
     # SymPy takes a second to import; nothing else needs it
     from trueaxis.codegen.check import differences, write  # noqa: PLC0415
-    from trueaxis.codegen.meta import spec_label  # noqa: PLC0415
     from trueaxis.codegen.render import render  # noqa: PLC0415
     from trueaxis.derivation.model import derive_model  # noqa: PLC0415
 
     spec, folder = Path(machine), Path(out)
     record = read_machine(spec)
+    if faults := [] if check else faults_of_folder(record, spec, Path(out)):
+        raise InputError(faults)
     check_kinds(record, spec)
     model = derive_model(record, identification_runs(record, spec, None if runs is None else Path(runs)))
     files = render(model, spec_label(spec, folder))
@@ -79,6 +82,16 @@ def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = N
         systems=tuple(SolvedSystem(runs=one.runs, unknowns=one.unknowns, rank=one.rank) for one in systems),
         tool_ranges=_tool_ranges(record, files["kernels.py"], folder / "kernels.py"),
     )
+
+
+def faults_of_folder(machine: Machine, spec: Path, out: Path) -> list[Fault]:
+    """A folder that holds what was derived of another spec, of the same name: its machine would lose its kernels."""
+    folder = out / machine.name
+    other = other_spec(folder, spec_label(spec, out), machine.digest)
+    if other is None:
+        return []
+    problem = f"holds the kernels of {other}, another spec of the name {machine.name}"
+    return [Fault(str(folder), "", problem, "another folder by --out, or remove this one if that spec is no more")]
 
 
 def check_kinds(machine: Machine, spec: Path) -> None:

@@ -13,7 +13,7 @@ from trueaxis.machine.body import PROSE, PROSE_MEANING
 from trueaxis.machine.effect_expression import check_expression
 from trueaxis.machine.fields import Fields, shown
 from trueaxis.machine.machine import AXES, Body
-from trueaxis.machine.structure import is_taken
+from trueaxis.machine.structure import taken_for
 
 MOST_KINDS = 20
 MOST_PARAMETERS = 6
@@ -90,8 +90,10 @@ def _read_parameters(fields: Fields) -> dict[str, Parameter]:
             table.fault(name, "is no name", "a letter, then letters, digits and _, 40 at most")
         elif name in VARIABLES or name in FUNCTIONS or name == "pi":
             table.fault(name, "is a name of the language of expressions", "another name")
-        elif len(name) > 1 and (is_taken(name) or re.match(r"term|context", name)):
-            table.fault(name, "clashes with a name that generated code uses", "another name")
+        elif len(name) > 1 and (what := taken_for(name)) is not None:
+            table.fault(name, f"clashes with a name that generated code uses for {what}", "another name")
+        elif re.match(r"term|context", name):
+            table.fault(name, "clashes with names of generated code, term... and context...", "another name")
         found[name] = _read_parameter(table.table(name), name)
     grids = [parameter.values for parameter in found.values() if parameter.role == "grid"]
     linear = len(found) - len(grids)

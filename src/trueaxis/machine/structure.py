@@ -16,20 +16,36 @@ _C_WORDS = frozenset(
     "auto bool case char const default do double enum extern false float goto inline int long register restrict "
     "return short signed sizeof static struct switch true typedef union unsigned void volatile while".split()
 )
-# Names that generated code and its readers use for other things: axes, component errors and their coefficients, rows
-# of arguments (a point is rx or rT1x, a deviation dx, a sensitivity dx_EXX, a reading L1), arrays, words of NumPy, C.
-_RESERVED = re.compile(
-    r"[xyzabc]|[XYZABC]|(sin|cos)_[abc]|[wnipej]\d*|E[XYZABC][XYZABC](_\d+)?|[beipt][xyz]|r([TWB]\d*)?[xyz]|d[xyz](_.*)?"
-    r"|L\d+|(identified|move)_.*"
-    r"|at|start|count|stride|block|length|positions?|errors?|parameters|points?|(tool|workpiece)_point"
-    r"|ball|curves|deviation|ideal|sensitivity|moves|direction|displacement|readings|unknowns|np|numpy|slice|range|sin|cos|sqrt"
-    r"|NaN|NAN|NULL|INFINITY|inf|pi|ABI|SPEC_HASH|META|BLOCK"
-)
+# Names that generated code and its readers use for other things, and what these are.
+_RESERVED = {
+    re.compile(pattern): what
+    for pattern, what in (
+        ("[xyzabc]|[XYZABC]|(sin|cos)_[abc]", "an axis: x, X ... c, C, sin_a, cos_a ..."),
+        (r"E[XYZABC][XYZABC](_\d+)?", "a component error: EXX, EAX ..., with _1 and the like a coefficient"),
+        (
+            r"[beipt][xyz]|r([TWB]\d*)?[xyz]|d[xyz](_.*)?",
+            "a coordinate: b, d, e, i, p, r or t before x, y or z, rTx, rW1y, dx_ and whatever follows",
+        ),
+        (r"[wnipej]\d*", "a count or a row: e, i, j, n, p or w, with or without digits"),
+        (r"L\d+|(identified|move)_.*", "a reading or a result: L1, identified_ and move_ and whatever follows"),
+        (
+            "at|start|count|stride|block|length|positions?|errors?|parameters|points?|(tool|workpiece)_point"
+            "|ball|curves|deviation|ideal|sensitivity|moves|direction|displacement|readings|unknowns",
+            "an argument of a kernel",
+        ),
+        (
+            "np|numpy|slice|range|sin|cos|sqrt|NaN|NAN|NULL|INFINITY|inf|pi|ABI|SPEC_HASH|META|BLOCK",
+            "a word of NumPy, C or the kernels",
+        ),
+    )
+}
 
 
-def is_taken(name: str) -> bool:
-    """Whether generated code uses a name for something else."""
-    return keyword.iskeyword(name) or name in _C_WORDS or _RESERVED.fullmatch(name) is not None
+def taken_for(name: str) -> str | None:
+    """What generated code uses a name for; None where it is free."""
+    if keyword.iskeyword(name) or name in _C_WORDS:
+        return "a word of Python or C"
+    return next((what for pattern, what in _RESERVED.items() if pattern.fullmatch(name)), None)
 
 
 def check_structure(
@@ -149,12 +165,9 @@ def _check_names(bodies: Sequence[IndexedBody], complain: Complain) -> None:
             where = f"{key} of body {body.number}"
             if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
                 complain(("body", index, key), f"{name!r} is no name", "a letter, then letters, digits and _")
-            elif is_taken(name):
-                complain(
-                    ("body", index, key),
-                    f"the name {name!r} clashes with one that generated code uses",
-                    "another name",
-                )
+            elif (what := taken_for(name)) is not None:
+                problem = f"the name {name!r} clashes with one that generated code uses for {what}"
+                complain(("body", index, key), problem, f"another name, such as q_{name}")
             elif name in names:
                 complain(("body", index, key), f"the name {name!r} clashes with {names[name]}", "a name of its own")
             names.setdefault(name, where)

@@ -13,8 +13,9 @@ import numpy.typing as npt
 
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.machine.machine import Machine
+from trueaxis.machine.spec_label import spec_label
 from trueaxis.model.c_kernels import load_c_kernels
-from trueaxis.model.manifest import C_FILES, verified_code
+from trueaxis.model.manifest import C_FILES, other_spec, verified_code
 
 FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]
@@ -55,7 +56,13 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
     to run.
     """
     path = folder / machine.name / "kernels.py"
+    other = other_spec(path.parent, spec_label(spec, folder), machine.digest)
     remedy = f"run: trueaxis derive {spec} --out {folder}"
+    if other is not None:
+        remedy = (
+            f"{path.parent} is of {other}, another spec of this name; run: trueaxis derive {spec} --out OTHER, and "
+            "give --kernels OTHER"
+        )
     backend = backend or _asked_backend()
     code = verified_code(path.parent, abi=ABI, digest=machine.digest, spec=spec, remedy=remedy)
     kernels = numpy_kernels(code[path.name], path, remedy)

@@ -8,6 +8,7 @@ from typing import Any
 
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.input_files import gathering, input_bytes
+from trueaxis.machine.spec_label import UNNAMED
 
 MANIFEST = "manifest.json"
 C_FILES = ("kernels.c", "kernels.h")
@@ -33,6 +34,18 @@ def verified_code(folder: Path, *, abi: int, digest: str, spec: Path, remedy: st
         faults.add("spec_sha256", f"is not that of {spec} as it is now", remedy)
     faults.raise_if_any()
     return _as_derived(folder, CODE_FILES, record, remedy)
+
+
+def other_spec(folder: Path, label: str, digest: str) -> str | None:
+    """The spec that the kernels in a machine's folder come from, where it is another one than `label` with this digest;
+    None where it is the same machine, nothing is there, or it is not known what.
+    """
+    try:
+        record = _record(folder / MANIFEST, "")
+    except InputError:
+        return None
+    told = record.get("spec") if record.get("spec_sha256") != digest else None
+    return told if isinstance(told, str) and told != label and UNNAMED not in (told, label) else None
 
 
 def verified_control_code(folder: Path, *, remedy: str) -> dict[str, bytes]:
