@@ -208,6 +208,21 @@ class TestDerive:
         )
         assert f"{told}control counts the other way)\n" in shown
 
+    def test_it_says_which_way_rotary_axes_turn(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        spec = tmp_path / "mill.toml"
+        for sense, minus in ((1, True), (-1, False)):
+            spec.write_text(
+                'schema = 1\nname = "mill"\nstructure = "[w C\' X\' b Y Z B t]"\n'
+                f"[axis.C]\nsense = {sense}\n"
+                + "".join(f"[axis.{axis}]\ntravel = [0.0, 400.0]\n" for axis in "XYZ")
+            )
+            assert main(["derive", str(spec), "--out", str(tmp_path / "generated")]) == 0
+            shown = capsys.readouterr().out
+            assert "\nB+ commands turn the tool from Z+ to X+ of the workpiece\n" in shown
+            other = " turn the tool from Y+ to X+ of the workpiece: C table turns from X+ to Y+ (`sense = -1` where"
+            assert (f"\nC+ commands{other}" in shown) is minus
+            assert ("\nC+ commands turn the tool from X+ to Y+ of the workpiece\n" in shown) is not minus
+
     def test_check_is_0_where_nothing_differs(self, small: Path, capsys: pytest.CaptureFixture[str]) -> None:
         assert main(["derive", str(small), "--out", str(small.parent / "generated"), "--check"]) == 0
         assert "is what" in capsys.readouterr().out

@@ -83,10 +83,11 @@ BOTH_ENDS = [
         (serial_text("", "XYZ"), {"X": 1, "Y": 1, "Z": 1}),
         (serial_text("YX", "Z"), {"X": -1, "Y": -1, "Z": 1}),
         (serial_text("YX", "Z", X={"sense": -1}, Z={"sense": -1}), {"X": 1, "Y": -1, "Z": -1}),
-        (serial_text("YC", "XZB"), {"X": 1, "Y": -1, "Z": 1}),
+        (serial_text("YC", "XZB"), {"X": 1, "Y": -1, "Z": 1, "B": 1, "C": -1}),
+        (serial_text("ZB", "XYA", A={"sense": -1}, B={"sense": -1}), {"X": 1, "Y": 1, "Z": -1, "A": -1, "B": 1}),
         (spec_text(BOTH_ENDS, 3, 4), {"X": 0, "Y": -1, "Z": 1}),
     ],
-    ids=range(5),
+    ids=range(6),
 )
 def test_the_way_that_positive_commands_move_the_tool(text: str, senses: dict[str, int]) -> None:
     machine = machine_of(text)
@@ -95,5 +96,11 @@ def test_the_way_that_positive_commands_move_the_tool(text: str, senses: dict[st
     home, lengths = np.zeros((len(machine.axes), 1)), np.zeros(len(machine.parameters))
     for axis, sense in senses.items():
         moved = home + np.array([[float(axis == other)] for other in machine.axes])
-        step = ideal(moved, lengths, np.zeros((3, 1))) - ideal(home, lengths, np.zeros((3, 1)))
-        np.testing.assert_allclose(step[:, 0], [sense * float(axis == other) for other in "XYZ"], atol=1e-12)
+        if axis in "XYZ":
+            step = ideal(moved, lengths, np.zeros((3, 1))) - ideal(home, lengths, np.zeros((3, 1)))
+            np.testing.assert_allclose(step[:, 0], [sense * float(axis == other) for other in "XYZ"], atol=1e-12)
+        else:  # the second axis of Y-Z, Z-X, X-Y gains what the first one had
+            first, second = {"A": (1, 2), "B": (2, 0), "C": (0, 1)}[axis]
+            point = np.eye(3)[:, [first]]
+            arm = ideal(moved, lengths, point) - ideal(moved, lengths, np.zeros((3, 1)))
+            assert arm[second, 0] == pytest.approx(sense * np.sin(np.radians(1.0)), abs=1e-12)

@@ -10,8 +10,11 @@ from trueaxis.io.input_files import gathering
 from trueaxis.jobs.derive import check_kinds, derive, faults_of_folder
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import Machine, read_machine
+from trueaxis.machine.machine import LINEAR
 from trueaxis.machine.topology import format_lower_body_array, tool_senses
 from trueaxis.model.manifest import KERNEL_FILES
+
+TURNS = {"A": "YZ", "B": "ZX", "C": "XY"}  # a positive turn about X, Y, Z takes the first of these to the second
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -87,21 +90,31 @@ def _sense_sentences(machine: Machine, ranges: Mapping[str, tuple[float, float]]
     """
     lines = []
     for axis, sense in tool_senses(machine).items():
-        start, end = ranges.get(axis, (0.0, 0.0))
-        there = f" of the workpiece, from {start:g} to {end:g} mm there" if axis in ranges else " of the workpiece"
+        if sense == 0:
+            lines.append(f"{axis} commands move the tool and the workpiece together")
+            continue
+        verb, plus, minus = _ways(axis)
+        there = " of the workpiece"
+        if axis in ranges:
+            there += ", from {:g} to {:g} mm there".format(*ranges[axis])
         if sense > 0:
-            lines.append(f"{axis}+ commands move the tool to {axis}+{there}")
-        elif sense < 0:
+            lines.append(f"{axis}+ commands {verb} the tool {plus}{there}")
+        else:
             body = machine.mover(axis)
-            moves = f"{axis}{'+' if body.sense > 0 else '-'}"
             change = "`sense = -1`" if body.sense > 0 else "no `sense = -1`"
             lines.append(
-                f"{axis}+ commands move the tool to {axis}-{there}: {body.name} moves to {moves} "
+                f"{axis}+ commands {verb} the tool {minus}{there}: {body.name} {verb}s {plus if body.sense > 0 else minus} "
                 f"({change} where the control counts the other way)"
             )
-        else:
-            lines.append(f"{axis} commands move the tool and the workpiece together")
     if ranges:
         zero = "; named dimensions taken for 0" if machine.dimensions else ""
         lines.append(f"(the origin of the tool frame, other axes at 0 or as near to it as they go{zero})")
     return lines
+
+
+def _ways(axis: str) -> tuple[str, str, str]:
+    """What commands of an axis do, and in words its positive and its negative way, right-handed."""
+    if axis in LINEAR:
+        return "move", f"to {axis}+", f"to {axis}-"
+    first, second = TURNS[axis]
+    return "turn", f"from {first}+ to {second}+", f"from {second}+ to {first}+"

@@ -4,7 +4,7 @@ The lower-body array L gives each body its lower body; L^n is L applied n times,
 where the branch of body j has reached the bed after n steps (Eqs. 2 and 3). Beyond the bed the array holds 0.
 """
 
-from trueaxis.machine.machine import BED, LINEAR, Body, Machine
+from trueaxis.machine.machine import BED, Body, Machine
 
 
 def lower_body_array(machine: Machine) -> tuple[tuple[int, ...], ...]:
@@ -34,12 +34,11 @@ def branches(machine: Machine) -> tuple[tuple[Body, ...], tuple[Body, ...]]:
 
 
 def tool_senses(machine: Machine) -> dict[str, int]:
-    """Which way a positive command of each linear axis moves the tool along that axis of the workpiece: 1 or -1.
-
-    0 where both ends stand on the axis, which moves them together. Rotary axes are at 0.
+    """Which way a positive command of each axis moves the tool along that axis of the workpiece, or turns it about the
+    axis (right-handed): 1 or -1. 0 where both ends stand on the axis, which moves them together. Rotary axes are at 0.
     """
     to_workpiece, to_tool = branches(machine)
-    movers = {axis: machine.mover(axis) for axis in machine.axes if axis in LINEAR}
+    movers = {axis: machine.mover(axis) for axis in machine.axes}
     return {axis: body.sense * ((body in to_tool) - (body in to_workpiece)) for axis, body in movers.items()}
 
 
