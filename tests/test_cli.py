@@ -213,8 +213,7 @@ class TestDerive:
         for sense, minus in ((1, True), (-1, False)):
             spec.write_text(
                 'schema = 1\nname = "mill"\nstructure = "[w C\' X\' b Y Z B t]"\n'
-                f"[axis.C]\nsense = {sense}\n"
-                + "".join(f"[axis.{axis}]\ntravel = [0.0, 400.0]\n" for axis in "XYZ")
+                f"[axis.C]\nsense = {sense}\n" + "".join(f"[axis.{axis}]\ntravel = [0.0, 400.0]\n" for axis in "XYZ")
             )
             assert main(["derive", str(spec), "--out", str(tmp_path / "generated")]) == 0
             shown = capsys.readouterr().out

@@ -32,7 +32,8 @@ def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pyt
     (note,) = notes_of(found)
     assert re.search(r"ballbar centre 1\.\d+ um, from 3 values \(usual 50 um\)", note)
     assert "laser zero 0.0" in note
-    told = {name: (float(now), float(then)) for name, now, then in re.findall(r"(\w+) ([\d.]+) \w+ \(([\d.]+) \w", note)}
+    pairs = re.findall(r"(\w+) ([\d.]+) \w+ \(([\d.]+) \w", note)
+    told = {name: (float(now), float(then)) for name, now, then in pairs}
     now, then = told["EAZ"]
     assert then > 2.0 * now
     for name, one in CLASSES.items():

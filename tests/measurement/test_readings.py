@@ -145,10 +145,16 @@ def test_faults_of_all_columns_come_at_once(tmp_path: Path) -> None:
 
 
 def test_a_wrong_column_does_not_fill_the_screen(tmp_path: Path) -> None:
-    rows = "\n".join(f"X1,{n},0,0,0,oops" for n in range(1000))
+    rows = "\n".join(f"X1,{n},0,0,0,oops{n}" for n in range(1000))
     found = faults_of(tmp_path, f"run,seq,X,Y,Z,reading\n{rows}\n")
     assert len([fault for fault in found if "oops" in fault]) == 20
     assert "column reading: and so 980 more cells; " in found
+
+
+def test_one_wrong_word_in_many_rows_is_one_fault(tmp_path: Path) -> None:
+    rows = "\n".join(f"X1,{n},0,0,0,{'none' if n % 2 else 0.001}" for n in range(100))
+    (found,) = [fault for fault in faults_of(tmp_path, f"run,seq,X,Y,Z,reading\n{rows}\n") if "none" in fault]
+    assert 'line 3, column reading: "none" is not a number, and so in 49 more: line 5, line 7,' in found
 
 
 def test_a_direction_that_is_given_wins_and_an_empty_one_is_derived(tmp_path: Path) -> None:

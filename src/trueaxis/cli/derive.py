@@ -101,9 +101,10 @@ def _sense_sentences(machine: Machine, ranges: Mapping[str, tuple[float, float]]
             lines.append(f"{axis}+ commands {verb} the tool {plus}{there}")
         else:
             body = machine.mover(axis)
+            way = plus if body.sense > 0 else minus
             change = "`sense = -1`" if body.sense > 0 else "no `sense = -1`"
             lines.append(
-                f"{axis}+ commands {verb} the tool {minus}{there}: {body.name} {verb}s {plus if body.sense > 0 else minus} "
+                f"{axis}+ commands {verb} the tool {minus}{there}: {body.name} {verb}s {way} "
                 f"({change} where the control counts the other way)"
             )
     if ranges:

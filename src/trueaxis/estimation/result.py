@@ -74,7 +74,8 @@ class Estimate:
     instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
     factors: class of sizes -> the estimated size over the expected one; likelier: of the classes of the machine's
     errors whose size is more than a factor of SAID from the expected one, the logarithm of how much likelier it is than
-    that one; as_expected: by the expected sizes of instrument unknowns, where estimated ones are far smaller; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
+    that one; as_expected: by the expected sizes of instrument unknowns, where estimated ones are far smaller; own: of
+    each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
     1; zeroed: effects that are zero, since the readings make their square negative; ideal: whether nothing was taken as
     unknown of the instruments.
     """

@@ -1,4 +1,4 @@
-"""What would put the balls of a ball bar as far apart as they are read: a dimension, the place of a ball, the length."""
+"""What explains how far the balls of a ball bar are apart: a dimension, the place of a ball, the length."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace

@@ -132,7 +132,12 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return (*notes, *instrument_size_notes(model, observed, found), *misread_notes(observed, found), *_zeros_far_off(observed, found))
+    return (
+        *notes,
+        *instrument_size_notes(model, observed, found),
+        *misread_notes(observed, found),
+        *_zeros_far_off(observed, found),
+    )
 
 
 def _times(log_ratio: float) -> str:

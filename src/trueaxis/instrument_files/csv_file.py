@@ -7,14 +7,15 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.instrument_files.delimited import DelimitedText, read_delimited
-from trueaxis.instrument_files.numbers import decimal
-from trueaxis.instrument_files.units import Dimension, Heading, factor, heading, units_of
+from trueaxis.evaluation.iso230_2.table_file import NEGATIVE, POSITIVE
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults
 from trueaxis.io.plain_text import shown
+from trueaxis.measurement.decimals import decimal
+from trueaxis.measurement.delimited import DelimitedText, read_delimited
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun, approach_of_passes
 from trueaxis.measurement.limits import LONGEST_ID
+from trueaxis.measurement.units import Dimension, Heading, factor, heading, units_of
 
 MOST_FAULTS = 20
 LONGEST_SHOWN = 40
@@ -35,7 +36,7 @@ NAMES: Mapping[str, tuple[str, ...]] = {
     "temperature": ("temperature",),
 }
 OF_BALL_BAR = ("angle", "radius")
-DIRECTIONS = {"+1": 1, "1": 1, "+": 1, "forward": 1, "-1": -1, "-": -1, "backward": -1, "0": 0}
+DIRECTIONS = {**dict.fromkeys(POSITIVE, 1), **dict.fromkeys(NEGATIVE, -1), "0": 0}
 ORDER = "rows were read in the order of the file"
 
 

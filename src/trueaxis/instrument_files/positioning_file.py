@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.evaluation.iso230_2.dat_file import read_dat
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.read import TABLES, read_positioning_test
 from trueaxis.measurement.instrument_run import InstrumentRun
 
 ORDER = "the targets were approached cycle by cycle, all in the positive direction and then all in the negative one"
@@ -13,7 +13,7 @@ ORDER = "the targets were approached cycle by cycle, all in the positive directi
 
 def read_positioning(path: Path) -> InstrumentRun:
     """Read such a file. Raises InputError with every fault of the file."""
-    test = read_positioning_test(path) if path.suffix in (".csv", ".parquet") else read_dat(path)
+    test = read_positioning_test(path) if path.suffix in TABLES else read_dat(path)
     up = np.argsort(test.targets)
     down = up[::-1]
     cycles = test.positive.shape[1]

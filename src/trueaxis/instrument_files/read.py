@@ -3,17 +3,18 @@
 from pathlib import Path
 from typing import Literal
 
+from trueaxis.evaluation.iso230_2.table_file import COLUMNS
 from trueaxis.instrument_files.csv_file import is_ball_bar, read_csv
-from trueaxis.instrument_files.delimited import read_delimited
 from trueaxis.instrument_files.positioning_file import read_positioning
 from trueaxis.instrument_files.rtl_file import is_rtl, read_rtl
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.input_files import input_bytes
+from trueaxis.measurement.delimited import read_delimited
 from trueaxis.measurement.instrument_run import InstrumentRun
+from trueaxis.measurement.units import heading
 
 Format = Literal["rtl", "iso230-2", "ballbar-csv", "csv"]
 FORMATS: tuple[Format, ...] = ("rtl", "iso230-2", "ballbar-csv", "csv")
-POSITIONING_COLUMNS = b"target,cycle,direction,measured"
 _START = 100_000  # bytes in which a format shows
 
 
@@ -39,6 +40,9 @@ def recognised(path: Path) -> Format:
     if path.suffix == ".parquet" or b"TGT_DATA[" in start:
         return "iso230-2"
     first = start.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 1)[0].replace(b" ", b"").strip()
-    if sorted(first.split(b",")) == sorted(POSITIONING_COLUMNS.split(b",")):
+    if sorted(first.split(b",")) == sorted(name.encode() for name in COLUMNS):
         return "iso230-2"
-    return "ballbar-csv" if is_ball_bar(read_delimited(path).header) else "csv"
+    header = read_delimited(path).header
+    if sorted(heading(name).name for name in header) == sorted(COLUMNS):
+        return "iso230-2"
+    return "ballbar-csv" if is_ball_bar(header) else "csv"

@@ -20,10 +20,10 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.instrument_files.numbers import decimal
 from trueaxis.io.faults import Faults, InputError
-from trueaxis.io.input_files import input_bytes
+from trueaxis.io.input_files import decoded, input_bytes
 from trueaxis.io.plain_text import shown
+from trueaxis.measurement.decimals import decimal
 from trueaxis.measurement.instrument_run import MOST_ROWS, FloatArray, InstrumentRun, approach_of_passes
 
 MOST_FAULTS = 20  # of one kind: a file of another kind is wrong in every line
@@ -80,16 +80,6 @@ def read_rtl(path: Path) -> InstrumentRun:
 def is_rtl(data: bytes) -> bool:
     """Whether the bytes begin as such a file does."""
     return data.removeprefix(b"\xef\xbb\xbf").lstrip()[:8].upper() == b"HEADER::"
-
-
-def decoded(data: bytes) -> str:
-    """The text: UTF-8, else GBK (machines and operators are named in Chinese), else as bytes."""
-    for encoding in ("utf-8-sig", "gbk"):
-        try:
-            return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-    return data.decode("latin-1")
 
 
 def _content(text: str, faults: Faults) -> _Content:

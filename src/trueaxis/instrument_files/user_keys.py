@@ -7,9 +7,9 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
-from trueaxis.instrument_files.numbers import decimal
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import shown
+from trueaxis.measurement.decimals import decimal
 
 # Of --map; those that end with a point have a name behind it: of an axis, a column.
 KEYS = (

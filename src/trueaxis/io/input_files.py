@@ -45,3 +45,13 @@ def utf8_text(path: Path, data: bytes) -> str:
         line = data.count(b"\n", 0, error.start) + 1
         faults.add(f"line {line}", f"byte {data[error.start]:#04x} is not UTF-8", "save the file as UTF-8")
         raise InputError(faults.found) from None
+
+
+def decoded(data: bytes) -> str:
+    """The text: UTF-8, else GBK (machines and operators are named in Chinese), else as bytes."""
+    for encoding in ("utf-8-sig", "gbk"):
+        try:
+            return data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return data.decode("latin-1")

@@ -15,6 +15,8 @@ from trueaxis.measurement.table import MOST_FAULTS, Table
 BoolArray = npt.NDArray[np.bool_]
 IntArray = npt.NDArray[np.int64]
 
+SAME = 3  # cells for each text that is wrong: from there on few slips of whoever wrote the file
+MOST_NAMED = 5  # of the other lines
 LONGEST_SHOWN = 40  # characters of a cell in a message
 AXIS_LETTERS = ("X", "Y", "Z", "A", "B", "C")
 
@@ -128,13 +130,32 @@ def positions(table: Table, machine: MachineAxes, faults: Faults) -> FloatArray:
 
 
 def note(table: Table, name: str, wrong: BoolArray, faults: Faults, problem: str, *, remedy: str = "") -> None:
-    """Note the cells that are wrong in one way, the first ones each and the rest as a count."""
+    """Note the cells that are wrong in one way, the first ones each and the rest as a count; a text that is wrong in
+    many cells is one fault.
+    """
     rows = np.flatnonzero(wrong)
+    same = _rows_of_texts(table.frame[name].gather(rows), rows)
+    for first, *others in same:
+        named = ", ".join(table.place(row) for row in others[:MOST_NAMED])
+        also = f", and so in {len(others)} more: {named}{' ...' if len(others) > MOST_NAMED else ''}" if others else ""
+        faults.add(table.place(first, name), f"{_quoted(table.frame[name][first])}{problem}{also}", remedy)
+    if same:
+        return
     for row in rows[:MOST_FAULTS]:
         cell = table.frame[name][int(row)]
         faults.add(table.place(int(row), name), f"{_quoted(cell)}{problem}", remedy)
     if len(rows) > MOST_FAULTS:
         faults.add(f"column {name}", f"and so {len(rows) - MOST_FAULTS} more cells")
+
+
+def _rows_of_texts(cells: pl.Series, rows: IntArray) -> list[list[int]]:
+    """By text the rows whose cells have it, where there are few texts for many cells; else empty."""
+    if cells.dtype != pl.String:
+        return []
+    texts_of = cells.fill_null("")
+    if texts_of.n_unique() * SAME > len(cells) or texts_of.n_unique() > MOST_FAULTS:
+        return []
+    return [rows[(texts_of == text).to_numpy()].tolist() for text in texts_of.unique(maintain_order=True)]
 
 
 def _quoted(cell: object) -> str:

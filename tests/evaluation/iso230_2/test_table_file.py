@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.evaluation.iso230_2.builders import made_up
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest, Unit
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
 from trueaxis.io.faults import Fault, InputError
 
@@ -59,7 +59,16 @@ def test_rows_in_any_order_are_the_same_test(tmp_path: Path, order: list[tuple[f
 
 
 @pytest.mark.parametrize(
-    ("plus", "minus"), [("1", "-1"), ("forward", "backward"), ("Forward", "BACKWARD"), ("+", "-"), (" +1 ", '"-1"')]
+    ("plus", "minus"),
+    [
+        ("1", "-1"),
+        ("forward", "backward"),
+        ("Forward", "BACKWARD"),
+        ("fwd", "bwd"),
+        ("pos", "neg"),
+        ("+", "-"),
+        (" +1 ", '"-1"'),
+    ],
 )
 def test_directions_have_several_names(tmp_path: Path, plus: str, minus: str) -> None:
     assert_is_the_test(read(tmp_path, csv_text(rows(TEST)).replace(",+1,", f",{plus},").replace(",-1,", f",{minus},")))
@@ -136,10 +145,63 @@ def test_a_million_rows_that_are_no_grid_are_told_briefly(tmp_path: Path) -> Non
     assert [fault.place for fault in caught.value.faults] == ["column target"]
 
 
-@pytest.mark.parametrize("name", ["axis.txt", "axis", "axis.DAT"])
+def in_columns(separator: str, decimals: str, head: str = "target,cycle,direction,measured") -> str:
+    lines = csv_text(rows(TEST)).splitlines()[1:]
+    cells = [[cell.replace(".", decimals) for cell in line.split(",")] for line in lines]
+    return "\n".join(separator.join(row) for row in [head.split(","), *cells]) + "\n"
+
+
+@pytest.mark.parametrize(("separator", "decimals"), [(";", ","), (";", "."), ("\t", ","), ("|", ",")])
+@pytest.mark.parametrize("above", ["", "Positioning test of X\nlaser 123, 20 degC\n"])
+def test_tables_of_spreadsheets_are_read(tmp_path: Path, separator: str, decimals: str, above: str) -> None:
+    """As programs write them where the comma is that of the decimals, under lines of text or not."""
+    assert_is_the_test(read(tmp_path, above + in_columns(separator, decimals)))
+
+
+def test_units_of_the_header_count(tmp_path: Path) -> None:
+    lines = [f"{t / 1e3!r},{c},{d},{1e3 * m!r}" for t, c, d, m in rows(TEST)]
+    found = read(tmp_path, "\n".join(["Target [m],cycle,direction,measured_um", *lines]))
+    np.testing.assert_allclose(found.targets, TEST.targets, rtol=1e-15)
+    np.testing.assert_allclose(found.positive, TEST.positive, rtol=1e-15)
+
+
+@pytest.mark.parametrize(("unit", "scale", "of"), [("um", 1e3, "mm"), ("mm", 1.0, "mm"), ("arcsec", 3600.0, "deg")])
+def test_deviations_are_a_column_of_their_own(tmp_path: Path, unit: str, scale: float, of: Unit) -> None:
+    lines = [f"{t!r},{c},{d},{(m - t) * scale!r}" for t, c, d, m in rows(TEST)]
+    path = tmp_path / "axis.csv"
+    path.write_text("\n".join([f"target,cycle,direction,deviation [{unit}]", *lines]))
+    found = read_positioning_test(path, of)
+    np.testing.assert_allclose(found.positive, TEST.positive, atol=1e-12)
+    np.testing.assert_allclose(found.negative, TEST.negative, atol=1e-12)
+
+
+def test_a_deviation_without_a_unit_is_asked_for_it(tmp_path: Path) -> None:
+    """3.1 may be um or mm: neither is taken."""
+    (fault,) = faults_of(tmp_path, csv_text(rows(TEST)).replace("measured", "deviation"))
+    assert (fault.place, fault.problem) == ("column deviation", "does not say its unit")
+    assert "deviation [um]" in fault.remedy
+
+
+def test_deviations_typed_as_positions_are_one_question(tmp_path: Path) -> None:
+    lines = [f"{100.0 + 100.0 * t!r},{c},{d},{(m - t)!r}" for t, c, d, m in rows(TEST)]
+    (fault,) = faults_of(tmp_path, "\n".join(["target,cycle,direction,measured", *lines]))
+    assert fault.place == "column measured"
+    assert "are these deviations?" in fault.problem
+    assert "name the column deviation" in fault.remedy
+
+
+def test_a_word_that_is_no_direction_is_one_fault(tmp_path: Path) -> None:
+    text = csv_text(rows(TEST)).replace(",+1,", ",hin,").replace(",-1,", ",her,")
+    forward, backward = faults_of(tmp_path, text)
+    assert forward.place == "line 2, column direction"
+    assert forward.problem == '"hin" is not a direction, and so in 5 more: line 3, line 4, line 5, line 6, line 7'
+    assert backward.place == "line 8, column direction"
+
+
+@pytest.mark.parametrize("name", ["axis.xlsx", "axis", "axis.DAT"])
 def test_a_file_of_no_known_kind_is_a_fault(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text("target")
-    with pytest.raises(InputError, match=r"\.dat, \.csv or \.parquet"):
+    with pytest.raises(InputError, match=r"\.dat, \.csv, \.txt or \.parquet"):
         read_positioning_test(tmp_path / name)
 
 

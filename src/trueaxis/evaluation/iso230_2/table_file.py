@@ -1,5 +1,9 @@
-"""A positioning test as a plain table: columns target, cycle, direction, measured; a row per reading, in any order."""
+"""A positioning test as a plain table: columns target, cycle, direction and measured (the position) or deviation; a row
+per reading, in any order.
+"""
 
+from collections.abc import Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -16,53 +20,131 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     too_few,
 )
 from trueaxis.io.faults import Faults
-from trueaxis.measurement.columns import note, numbers, texts, whole_numbers
+from trueaxis.io.input_files import decoded, input_bytes
+from trueaxis.measurement.columns import note, numbers, shortened, texts, whole_numbers
+from trueaxis.measurement.delimited import as_table, read_delimited
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
+from trueaxis.measurement.units import Dimension, factor, heading, units_of
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 
 COLUMNS = ("target", "cycle", "direction", "measured")
-POSITIVE, NEGATIVE = ("+1", "1", "+", "forward"), ("-1", "-", "backward")
+DEVIATION = "deviation"  # in place of the last one
+POSITIVE = ("+1", "1", "+", "forward", "fwd", "positive", "pos")
+NEGATIVE = ("-1", "-", "backward", "bwd", "negative", "neg")
 _NAMES = ("forward", "backward")
+# Share of the range of targets below which positions that are far off are deviations: positions follow their targets
+STILL = 0.2
 
 
 def read_positioning_table(path: Path, unit: Unit = "mm") -> PositioningTest:
-    """Read a .csv or .parquet table of readings, in `unit`; targets are put in ascending order.
+    """Read a table of readings, in `unit` where its header names no other; targets are put in ascending order. Columns
+    are separated by commas or, numbers with a comma or a point, by semicolons, tabs or spaces; or Parquet.
 
     Raises InputError with every fault, each with its line and column.
     """
-    table = read_table(path)
     faults = Faults(str(path))
+    table, units = _named(_table(path))
     _check_names(table, faults)
+    faults.raise_if_any()
+    factors = {name: _factor(name, units.get(name, ""), unit, faults) for name in ("target", _reading(table))}
     faults.raise_if_any()
     if table.frame.height == 0:
         faults.add("", "has no rows", "a row per reading")
-    targets = numbers(table, "target", faults)
+    targets = numbers(table, "target", faults) * factors["target"]
     far = np.abs(targets) > FARTHEST_TARGET
     note(table, "target", far, faults, "is too far", remedy=f"{unit}, at most {FARTHEST_TARGET:g}")
     cycles = whole_numbers(table, "cycle", faults)
     directions = _directions(table, faults)
     keys_read = not faults.found  # else readings would be missing only because their row could not be placed
-    measured = numbers(table, "measured", faults)
-    off = np.abs(np.where(far, np.nan, measured - targets)) > LARGEST_DEVIATION
-    remedy = f"at most {LARGEST_DEVIATION:g} {unit} off"
-    note(table, "measured", off, faults, "is far off its target", remedy=remedy)
+    measured = _measured(table, np.where(far, np.nan, targets), factors, unit, faults)
     if not keys_read:
         faults.raise_if_any()
     return _gridded(table, targets, cycles, directions, measured, faults, unit)
 
 
+def _table(path: Path) -> Table:
+    """Strictly as CSV where the first line names columns between commas."""
+    if path.suffix != ".parquet":
+        first = decoded(input_bytes(path)).lstrip().split("\n", 1)[0]
+        names = [heading(name).name for name in first.split(",")]
+        if not {*COLUMNS, DEVIATION} & set(names):
+            text = read_delimited(path)
+            units = text.units or ("",) * len(text.header)
+            header = (
+                f"{name} [{of.strip('[]()')}]" if of else name for name, of in zip(text.header, units, strict=True)
+            )
+            return as_table(replace(text, header=tuple(header)))
+    return read_table(path)
+
+
+def _named(table: Table) -> tuple[Table, dict[str, str]]:
+    """The table with the names of its columns in small letters and without units, and these."""
+    heads = [heading(name) for name in table.frame.columns]
+    if len({head.name for head in heads}) < len(heads):
+        return table, {}
+    return replace(table, frame=table.frame.rename({head.text: head.name for head in heads})), {
+        head.name: head.unit for head in heads
+    }
+
+
+def _reading(table: Table) -> str:
+    return DEVIATION if DEVIATION in table.frame.columns else COLUMNS[-1]
+
+
 def _check_names(table: Table, faults: Faults) -> None:
     names = table.frame.columns
-    for name in COLUMNS:
+    for name in COLUMNS[:-1]:
         if name not in names:
             faults.add(f"column {name}", "is missing", f"columns {', '.join(COLUMNS)}")
+    readings = [name for name in (COLUMNS[-1], DEVIATION) if name in names]
+    if len(readings) != 1:
+        problem = "is there beside deviation" if readings else "is missing"
+        faults.add(f"column {COLUMNS[-1]}", problem, "positions as measured, or deviation in its place")
     for name in names:
-        if name not in COLUMNS:
-            close = get_close_matches(name, COLUMNS, n=1)
+        if name not in (*COLUMNS, DEVIATION):
+            close = get_close_matches(name, (*COLUMNS, DEVIATION), n=1)
             remedy = f"did you mean {close[0]}?" if close else f"columns {', '.join(COLUMNS)}"
             faults.add(f"column {name}", "is not a known column", remedy)
+
+
+def _factor(name: str, given: str, unit: Unit, faults: Faults) -> float:
+    """What one of the unit of a column is in `unit`. A deviation may be of any size: its unit is asked for."""
+    dimension: Dimension = "length" if unit == "mm" else "angle"
+    if not given and name != DEVIATION:
+        return 1.0
+    scale = factor(given, dimension)
+    if scale is None:
+        problem = f"has the unit {shortened(given)}" if given else "does not say its unit"
+        example = "um" if unit == "mm" else "arcsec"
+        faults.add(f"column {name}", problem, f"a head such as {name} [{example}]: {units_of(dimension)}")
+    return scale or 1.0
+
+
+def _measured(
+    table: Table, targets: FloatArray, factors: Mapping[str, float], unit: Unit, faults: Faults
+) -> FloatArray:
+    """(rows,), positions; those far off their targets are noted, all as one where they do not follow these."""
+    name = _reading(table)
+    values = numbers(table, name, faults) * factors[name]
+    measured = targets + values if name == DEVIATION else values
+    off = np.abs(measured - targets) > LARGEST_DEVIATION
+    known = np.isfinite(measured) & np.isfinite(targets)
+    if name != DEVIATION and 2 * int(off.sum()) > int(known.sum()):
+        ranges = [(float(one[known].min()), float(one[known].max())) for one in (values, targets)]
+        (low, high), (first, last) = ranges
+        if high - low < STILL * (last - first):
+            problem = (
+                f"goes from {low:g} to {high:g} where targets go from {first:g} to {last:g}: are these deviations?"
+            )
+            faults.add(
+                f"column {name}", problem, f"name the column deviation, with its unit, or give positions, {unit}"
+            )
+            return measured
+    remedy = f"at most {LARGEST_DEVIATION:g} {unit} off"
+    note(table, name, off, faults, "is far off its target", remedy=remedy)
+    return measured
 
 
 def _directions(table: Table, faults: Faults) -> IntArray:

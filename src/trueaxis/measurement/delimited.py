@@ -4,13 +4,16 @@ import csv
 from dataclasses import dataclass
 from pathlib import Path
 
-from trueaxis.instrument_files.numbers import decimal
-from trueaxis.instrument_files.rtl_file import decoded
-from trueaxis.instrument_files.units import UNITS
+import numpy as np
+import polars as pl
+
 from trueaxis.io.faults import Faults, InputError
-from trueaxis.io.input_files import input_bytes
+from trueaxis.io.input_files import decoded, input_bytes
+from trueaxis.measurement.decimals import decimal
 from trueaxis.measurement.instrument_run import MOST_ROWS
 from trueaxis.measurement.limits import MOST_COLUMNS
+from trueaxis.measurement.table import Table
+from trueaxis.measurement.units import UNITS
 
 SEPARATORS = (";", "\t", ",", "|")  # in the order in which they are tried: a comma may be that of decimals
 MOST_PREAMBLE = 200  # lines before the header: a page of text
@@ -47,6 +50,13 @@ def read_delimited(path: Path) -> DelimitedText:
     if faults.found or table is None:
         raise InputError(faults.found)
     return table
+
+
+def as_table(text: DelimitedText) -> Table:
+    """The cells under their names as a table, numbers with points."""
+    rows = [[cell.replace(",", ".") if decimal(cell) is not None else cell for cell in row] for row in text.rows]
+    schema = dict.fromkeys(text.header, pl.String)
+    return Table(pl.DataFrame(rows, schema=schema, orient="row"), np.array(text.lines, dtype=np.int64))
 
 
 def _table(lines: list[tuple[int, str]], separator: str | None, faults: Faults) -> DelimitedText | None:

@@ -13,12 +13,13 @@ UNITS: dict[str, tuple[Dimension, float]] = {
     "micron": ("length", 1e-3), "microns": ("length", 1e-3), "nm": ("length", 1e-6), "m": ("length", 1e3),
     "in": ("length", 25.4), "inch": ("length", 25.4),
     "deg": ("angle", 1.0), "°": ("angle", 1.0), "rad": ("angle", math.degrees(1.0)),
+    "arcsec": ("angle", 1.0 / 3600.0),
     "s": ("time", 1.0), "ms": ("time", 1e-3), "min": ("time", 60.0), "h": ("time", 3600.0),
     "mm/min": ("feed", 1.0), "m/min": ("feed", 1e3), "mm/s": ("feed", 60.0),
     "degc": ("temperature", 1.0), "°c": ("temperature", 1.0), "c": ("temperature", 1.0),
 }  # fmt: skip
 _WITH_UNIT = re.compile(r"(.*?)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\)|\s*/\s*(?P<slash>\S+))")
-_SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|s|c|mm_min)", re.IGNORECASE)
+_SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|arcsec|s|c|mm_min)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
