@@ -39,9 +39,9 @@ META = {
     'parameters': ['EC0X', 'EA0Z', 'EB0Z'],
     'parameter_units': ['rad', 'rad', 'rad'],
     'parameter_descriptions': [
-        'location error, rotation about Z, body 3 (X slide) on body 2',
-        'location error, rotation about X, body 5 (Z slide) on body 1',
-        'location error, rotation about Y, body 5 (Z slide) on body 1',
+        'location error: squareness error of X to Y, about Z; X slide on Y slide',
+        'location error: squareness error of Z to Y, about X; Z slide on the bed',
+        'location error: squareness error of Z to X, about Y; Z slide on the bed',
     ],
     'dimensions': [],
     'location_errors': ['EC0X', 'EA0Z', 'EB0Z'],

@@ -154,8 +154,11 @@ def test_a_run_that_does_not_fit_is_a_misfit(tmp_path: Path, method: str, capsys
     (data / "readings.csv").write_text("\n".join(spoilt) + "\n")
     options = ["--method", method, "--noise-um", "0.1"]
     assert identify(data, out, *options) == 1
-    told = capsys.readouterr().err
-    assert "MISFIT" in told
+    shown = capsys.readouterr()
+    assert shown.out.count("worst:") == 1  # the paragraph stands in the report alone
+    assert "fit: MISFIT, the residuals are far from the noise that is stated" in " ".join(shown.out.split())
+    assert shown.err.startswith("trueaxis: MISFIT, the residuals are far from the noise that is stated")
+    assert shown.err.count("\n") == 1
     fit = values(out).fit
     assert fit is not None
     assert fit.state == "misfit"

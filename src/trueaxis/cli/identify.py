@@ -49,9 +49,11 @@ noise, sizes of errors and outliers are found from the readings. Method stepwise
 step by step: each run gives the components that it alone still holds, at every position, with those found before. Both
 work on the exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure:
 exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or
-its residuals are far from the noise that is known, and the values are written as a misfit."""
+its residuals are far from the noise that is stated or that repeats show, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
+
+MISFIT_USE = "compensate, fit and export take these values with --accept-misfit only"
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -186,7 +188,7 @@ def run(args: argparse.Namespace) -> int:
     print(f"written: {', '.join(map(named, contents))}")
     judged = identified.report.quality
     if judged.fit.state == "misfit":
-        print(f"trueaxis: {fit_text(judged)}", file=sys.stderr)
+        print(f"trueaxis: MISFIT, {judged.reason}; {MISFIT_USE}", file=sys.stderr)
         return 1
     return 1 if identified.report.nothing_determined else 0
 

@@ -24,7 +24,7 @@ from trueaxis.derivation.first_order import first_order
 from trueaxis.derivation.model import DerivedModel
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import ROTARY, Body, Machine
-from trueaxis.machine.topology import lower_body_array
+from trueaxis.machine.topology import lower_body_array, tool_senses
 
 _NAMES = 9.0  # em, of the first two columns of the table of sensitivities
 
@@ -60,6 +60,7 @@ def page_context(model: DerivedModel, spec: str = "") -> dict[str, Any]:
         "dropped": _dropped(model),
         "sensitivities": _sensitivities(machine, latex),
         "squareness": [("".join(s.axes), latex(s.product)) for s in model.squareness],
+        "opposite": ["".join(s.axes) for s in model.squareness if _opposite(machine, s.axes)],
         "correction": _correction(model, latex),
         "effects": effect_texts(machine),
         "effect_symbols": effect_symbols(machine),
@@ -93,6 +94,12 @@ def _body_row(body: Body) -> tuple[object, ...]:
     located = ", ".join(f"{direction} = {linked(parameter)}" for direction, parameter in body.position_errors)
     moved = " ".join(linked(name) for name in body.motion_errors)
     return body.number, body.name, body.lower, body.moves or "-", moved or "-", located or "-"
+
+
+def _opposite(machine: Machine, axes: tuple[str, str]) -> bool:
+    """Whether one of two linear axes moves the workpiece and the other the tool."""
+    senses = tool_senses(machine)
+    return sum(senses[axis] == -machine.mover(axis).sense for axis in axes) == 1
 
 
 def linked(name: str) -> str:

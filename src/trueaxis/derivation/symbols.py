@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.effects.latex import component_latex
-from trueaxis.error_name import ErrorName
+from trueaxis.machine.error_words import component_words, location_words
 from trueaxis.machine.machine import ROTARY, Machine
 
 
@@ -58,41 +58,18 @@ def describe(machine: Machine) -> dict[str, SymbolText]:
             table[f"cos_{letter}"] = SymbolText(rf"\cos({letter})", "1", f"cosine of the rotation about {axis}")
             table[f"sin_{letter}"] = SymbolText(rf"\sin({letter})", "1", f"sine of the rotation about {axis}")
     for component in machine.components:
-        table[component] = SymbolText(component_latex(component), component.unit, describe_component(component))
+        table[component] = SymbolText(component_latex(component), component.unit, component_words(component))
     for name in machine.dimensions:
         text = f"home position along {_along(machine, name)}, {_where(machine, name)}"
         table[name] = SymbolText(parameter_latex(name), "mm", text)
     for name in machine.location_errors:
-        direction = machine.location_direction(name)
-        kind = "rotation about" if direction.is_rotation else "displacement along"
-        text = f"location error, {kind} {direction.line}, {_where(machine, name)}"
+        text = f"location error: {location_words(machine, name)}"
         table[name] = SymbolText(parameter_latex(name), machine.parameter_unit(name), text)
     for letter, symbol in zip("xyz", point(), strict=True):
         table[symbol.name] = SymbolText(
             f"r_{{{letter}}}", "mm", f"{letter} coordinate of the point in its body's frame"
         )
     return table
-
-
-def describe_component(component: ErrorName) -> str:
-    """The component error in words (ISO 230-1)."""
-    direction, axis = component.direction.letter, component.axis
-    if not component.is_rotation:
-        if component.is_positioning:
-            return f"positioning error of {axis}"
-        return (
-            f"straightness error of {axis} in {direction}"
-            if component.is_straightness
-            else f"error motion of {axis} along {direction}"
-        )
-    if not component.is_of_linear_axis:
-        return (
-            f"angular positioning error of {axis}"
-            if component.is_positioning
-            else f"tilt error of {axis} about {direction}"
-        )
-    about = component.direction.line
-    return f"roll error of {axis}" if about == axis else f"angular error of {axis} about {about} (pitch or yaw)"
 
 
 def parameter_latex(name: str) -> str:
@@ -110,6 +87,6 @@ def _along(machine: Machine, dimension: str) -> str:
 
 def _where(machine: Machine, name: str) -> str:
     for body in machine.bodies:
-        if name in body.position or name in (parameter for _, parameter in body.position_errors):
+        if name in body.position:
             return f"body {body.number} ({body.name}) on body {body.lower}"
     raise KeyError(name)

@@ -28,7 +28,10 @@ RESOLUTION = 1e-6  # mm: no instrument resolves less, however small the residual
 MISFIT = 3.0
 MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviations it is no noise either
 DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
-FAR_FROM_NOISE = "the residuals are far from the noise that is known"
+FAR_FROM_NOISE = {
+    True: "the residuals are far from the noise that is stated",
+    False: "the residuals are far from the noise that repeated readings show",
+}
 # Residuals over noise from which on a converged fit is said to lack something: half of the residual variance and more
 # is no noise then. Errors of 1 % of [prior], which `DISCREPANCY` allows, are no misfit, and are said all the same.
 LACKING = float(np.sqrt(2.0))
@@ -78,7 +81,8 @@ class Residuals:
     noise, size: (n,), standard deviation of a reading by its noise, and by errors of their prior sizes, mm; None where
     unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit;
     estimated: (n,), as noise where that is not known, which then judges no fit but shows which runs stand out;
-    independent: of runs, by index, how many independent readings scatter as its readings; else all of them do.
+    independent: of runs, by index, how many independent readings scatter as its readings; else all of them do; stated:
+    whether the noise was stated; else it is that of repeats.
     """
 
     run: IntArray
@@ -90,6 +94,7 @@ class Residuals:
     copied: tuple[int, ...] = ()
     estimated: FloatArray | None = None
     independent: Mapping[int, float] = field(default_factory=dict)
+    stated: bool = False
 
 
 class NotConvergedError(RuntimeError):
@@ -147,8 +152,8 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
         worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
         if ratio > MISFIT or of_runs.max(initial=0.0) > MISFIT_OF_RUN:
             named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
-            reason = FAR_FROM_NOISE + _copies(residuals, runs)
-            if float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
+            reason = FAR_FROM_NOISE[residuals.stated] + _copies(residuals, runs)
+            if residuals.stated and float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
                 reason += "; most runs are: a noise that is stated too small looks like that"
             return FitQuality(Fit("misfit", chi2, named), each, reason)
         return FitQuality(Fit("converged", chi2), each)

@@ -127,6 +127,7 @@ def _quality(
             size=size,
             freedom=found.freedom,
             copied=copied,
+            stated=given_um is not None,
         ),
         observed.runs,
     )

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.error_name import ErrorName
+from trueaxis.machine.error_words import location_words
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Determined, Fit
@@ -35,7 +36,8 @@ class Change:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorLine:
     """One error. value: of a curve the one that is largest over the travel, at `at`; u: there, NaN where not known;
-    rms: over the travel; unit: mm or rad; determined: by what, None where the file does not say.
+    rms: over the travel; unit: mm or rad; determined: by what, None where the file does not say; meaning: of a
+    location error in words.
     """
 
     name: str
@@ -46,6 +48,7 @@ class ErrorLine:
     unit: str
     determined: Determined | None
     change: Change | None = None
+    meaning: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -177,7 +180,7 @@ def _location(name: str, now: Known, before: Known | None) -> ErrorLine:
         change = Change(rms=difference, in_u=float(ratio[0]), at=None)
     return ErrorLine(
         name=name, value=value, u=u, rms=abs(value), at=None, unit=now.model.machine.parameter_unit(name),
-        determined=errors.determined.get(name), change=change,
+        determined=errors.determined.get(name), change=change, meaning=location_words(now.model.machine, name),
     )  # fmt: skip
 
 

@@ -100,7 +100,7 @@ def _errors(caption: str, lines: Sequence[ErrorLine], compared: bool) -> Table:
     rows = []
     for one in lines:
         row = [
-            one.name,
+            f"{one.name}: {one.meaning}" if one.meaning else one.name,
             quantity(one.value, one.unit),
             *([] if one.at is None else [f"{one.at:.4g}"]),
             quantity(one.u, one.unit) if math.isfinite(one.u) else DASH,
