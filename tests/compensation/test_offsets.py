@@ -112,6 +112,22 @@ def test_an_offset_that_is_not_known(bench: Bench) -> None:
         bench.run("G21 G90\nG54\nG0 X1. Y1. Z1.\n")
 
 
+def test_an_offset_that_is_not_known_is_the_one_fault_of_all_its_positions(bench: Bench) -> None:
+    """Where the axes would be if the zero were that of the machine is no fault of its own."""
+    program = "G21 G90\nG0 X9999. Y0. Z0.\nG56 G0 X9999. Y1. Z1.\nY8888.\nG56\nX-7777.\n"
+    with pytest.raises(InputError) as error:
+        bench.run(program, offsets=KNOWN)
+    assert [fault.place for fault in error.value.faults] == ["line 2", "line 3"]
+
+
+def test_an_axis_that_stays_outside_its_travel_is_one_fault(bench: Bench) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run("G21 G90 G53\nG0 G53 X0. Y0. Z0.\nG53 G0 X9999.\nG53 G0 Y10.\nG53 G0 Y8888.\nG53 G0 X9998.\n")
+    assert [str(fault).split(": ", 1)[1].split(" is")[0] for fault in error.value.faults] == [
+        "line 3: X = 9999", "line 5: Y = 8888", "line 6: X = 9998",
+    ]  # fmt: skip
+
+
 def test_travel_is_that_of_machine_positions(bench: Bench) -> None:
     with pytest.raises(InputError, match=r"line 2: X = 1020.5 is outside its travel"):
         bench.run("G54 G21 G90\nG0 X900. Y0. Z0.\n", offsets=KNOWN)

@@ -132,7 +132,7 @@ class KlartextReader:
 
     def _take_preset(self, number: int, preset: str) -> None:
         if self._preset and preset != self._preset:
-            self._faults.add(
+            self._faults.add_unplaced(
                 number, f"preset {preset} after preset {self._preset}: where its zero is is not known",
                 "a program for each preset",
             )  # fmt: skip

@@ -26,6 +26,7 @@ class FrameReader:
         self._on_fanuc = settings.dialect == "fanuc"
         self._setup = Setup()
         self._said = False  # whether the program has selected a work offset
+        self._unknown: set[str] = set()  # work offsets that are selected and not given
         self._reset = False  # whether it has said what G92 shifts by
 
     def changed(self) -> list[Item]:
@@ -76,9 +77,10 @@ class FrameReader:
             return
         if name not in frames.tables:
             given = name.replace(" ", "")
-            self._faults.add(
-                number, f"{name}: {NOT_KNOWN}", f"say --offset {given}=X..,Y..,Z.. (to 10 mm is enough), or --offsets"
-            )
+            remedy = f"say --offset {given}=X..,Y..,Z.. (to 10 mm is enough), or --offsets"
+            if name not in self._unknown:  # once, however often the program selects it
+                self._faults.add_unplaced(number, f"{name}: {NOT_KNOWN}", remedy)
+            self._unknown.add(name)
             return
         frames.system = name
         if name in frames.unsaid:

@@ -15,7 +15,8 @@ _ROUNDING = 1e-9  # mm, deg: what doubles lose
 
 
 def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: FloatArray, faults: FaultLog) -> None:
-    """Faults of programmed positions, those along arcs too, that are outside the travel; once a block.
+    """Faults of programmed positions, those along arcs too, that are outside the travel; once a block, and where an
+    axis comes to such a position, not where it stays there. None where it is not known where positions are.
 
     tool_point: (3, 1), which says where the axes are under tool centre point control. Their way is no straight line
     then, and is looked at all along.
@@ -26,12 +27,16 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
         model = model.base
     low, high = _limits(model)
     outside = (positions < low - _ROUNDING) | (positions > high + _ROUNDING)
+    if positions is path.points:
+        outside &= path.points != path.origins
     points = np.flatnonzero(outside.any(axis=0))
     for point in points[np.unique(owner[points], return_index=True)[1]]:
         row = int(np.argmax(outside[:, point]))
-        axis = model.axes[row]
+        axis, line = model.axes[row], moves[int(owner[point])].line
+        if faults.unplaced is not None and line >= faults.unplaced:
+            return
         faults.add(
-            moves[int(owner[point])].line,
+            line,
             f"{axis} = {positions[row, point]:g} is outside its travel",
             f"from {low[row, 0]:g} to {high[row, 0]:g}",
         )

@@ -19,6 +19,7 @@ from trueaxis.identification.report import (
 )
 from trueaxis.identification.runs_table import runs_table
 from trueaxis.identification.words import IN_COMBINATION, combination_text, in_small, tool_sentence
+from trueaxis.io.near_zero import plain_zero
 
 WIDTH = 100
 MICRO = 1e6
@@ -200,8 +201,8 @@ def _with_u(u: float | None, unit: str) -> str:
 def _small(value: float, unit: str) -> tuple[float, str]:
     """In micrometres, microradians or parts per million."""
     if unit == "1":
-        return value * MICRO, "ppm"
-    return (value * 1e3, "um") if unit == "mm" else (value * MICRO, "urad")
+        return plain_zero(value * MICRO), "ppm"
+    return (plain_zero(value * 1e3), "um") if unit == "mm" else (plain_zero(value * MICRO), "urad")
 
 
 def _wrapped(text: str, lead: str) -> list[str]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
+from trueaxis.io.near_zero import plain_zero
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import Determined
 
@@ -89,8 +90,9 @@ def small(value: float, unit: str) -> str:
     """A value in mm or rad, or per mm or deg, in micrometres or microradians: `0.8 urad`; of a scale `1 ppm`."""
     of, _, per = unit.partition("/")
     if unit in ("mm/mm", "1"):
-        return f"{value * 1e6:.3g} {'ppm' if unit == '1' else 'urad'}"
-    return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
+        return f"{plain_zero(value * 1e6):.3g} {'ppm' if unit == '1' else 'urad'}"
+    size = plain_zero(value * (1e3 if of == "mm" else 1e6))
+    return f"{size:.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
 def in_small(unit: str) -> tuple[float, str]:

@@ -15,6 +15,7 @@ from trueaxis.identification.words import (
     small,
     tool_sentence,
 )
+from trueaxis.io.near_zero import plain_zero
 from trueaxis.planning.propose import LEAST_FREEDOM
 from trueaxis.planning.report import (
     BlockReport,
@@ -149,7 +150,7 @@ def _size_of(one: ExpectedParameter, value: float) -> str:
 
 
 def _column(value: float, unit: str) -> str:
-    return f"{value * (1e3 if unit == 'mm' else 1e6):10.3g} {'um' if unit == 'mm' else 'urad':<4}"
+    return f"{plain_zero(value * (1e3 if unit == 'mm' else 1e6)):10.3g} {'um' if unit == 'mm' else 'urad':<4}"
 
 
 def _order(report: PlanReport) -> list[str]:

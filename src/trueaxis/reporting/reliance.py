@@ -4,6 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensation.reliance import Reliance
+from trueaxis.io.near_zero import plain_zero
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.best_fit import Placement
 from trueaxis.model.errors import ErrorValues, Fit
@@ -62,8 +63,8 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
 
 def placement_sentence(placement: Placement) -> str:
     """What a best fit takes off."""
-    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement.shift)
-    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement.rotation)
+    shift = ", ".join(f"{plain_zero(1e3 * part):.3g}" for part in placement.shift)
+    turn = ", ".join(f"{plain_zero(1e6 * part):.3g}" for part in placement.rotation)
     at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", placement.centre, strict=True))
     return (
         f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
@@ -219,7 +220,7 @@ def _at(position: Mapping[str, float]) -> str:
 
 
 def _um(length: float) -> str:
-    return f"{length * 1e3:.3g} um"
+    return f"{plain_zero(length * 1e3):.3g} um"
 
 
 def _unit(axis: str) -> str:

@@ -3,6 +3,8 @@
 import math
 import re
 
+from trueaxis.io.near_zero import plain_zero
+
 MICRO = "\N{MICRO SIGN}"
 UM = f"{MICRO}m"
 URAD = f"{MICRO}rad"
@@ -63,7 +65,10 @@ def quantity(value: float, unit: str, digits: int = 3) -> str:
     if not math.isfinite(value):
         return "unknown"
     factor, small = shown_in(value, unit)
-    return _plain(value * factor, digits) + (f"{NBSP}{small}" if small else "")
+    length_or_angle = unit in ("mm", "rad")  # others may be small without being zero
+    return _plain(plain_zero(value * factor) if length_or_angle else value * factor, digits) + (
+        f"{NBSP}{small}" if small else ""
+    )
 
 
 def with_expanded(value: float, u: float, unit: str) -> str:
