@@ -39,6 +39,9 @@ def main(arguments: list[str]) -> int:
         return run_tests(rest)
     if task == "site":
         return run(BIN / "python", "-m", "mkdocs", "build", *rest)
+    activate = BIN / "activate" if BIN.name == "bin" else BIN / "Activate.ps1"
+    print(f"{VENV.name} is ready; next: {'source ' if BIN.name == 'bin' else ''}{activate.relative_to(HERE)}")
+    print("then trueaxis --help; bash .ci/run is what must pass of a change (CONTRIBUTING.md)")
     return 0
 
 

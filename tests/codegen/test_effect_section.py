@@ -76,6 +76,7 @@ def test_hostile_texts_leave_markdown_and_maths_whole() -> None:
 
 def test_a_squareness_needs_no_equation_of_its_own() -> None:
     page = equations_page(model_of(DMU60P.read_text() + effect(kind="squareness", component="EB0X")))
-    assert r'| $\mathrm{EB0X}$ | <a id="EB0X"></a>`EB0X` | rad | location error: squareness error of X to Z, about Y' in page
+    row = r'| $\mathrm{EB0X}$ | <a id="EB0X"></a>`EB0X` | rad | '
+    assert f"{row}location error: squareness error of X to Z, about Y" in page
     assert "### 1. squareness EB0X" in page
     assert not list(blocks(page[page.index("## Effects") : page.index("## Kernels")]))

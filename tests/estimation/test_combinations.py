@@ -6,11 +6,15 @@ import numpy as np
 import pytest
 
 from tests.planning.data import folder, model
-from trueaxis.estimation.combinations import Combination, Part, combinations
+from trueaxis.estimation.combinations import Combination, Part, _label, combinations
 from trueaxis.estimation.expected import expected
+from trueaxis.estimation.instruments import SharedUnknown
 from trueaxis.estimation.result import Estimate
 from trueaxis.identification.words import combination_text
 from trueaxis.model.errors import ErrorValues
+
+
+RUNS = [f"R{index}" for index in range(40)]
 
 
 def found(name: str, um: float, **known: float) -> Estimate:
@@ -21,7 +25,7 @@ def found(name: str, um: float, **known: float) -> Estimate:
 
 def test_squareness_and_slopes_of_the_papers_plan() -> None:
     """At 10 nm each squareness stands with a slope of straightness, by +-1, as the kinematics have it."""
-    each = combinations(found("dmu60p_regular_runs", 0.01))
+    each = combinations(found("dmu60p_regular_runs", 0.01), RUNS)
     assert {("eps_xy", "EYX"), ("eps_yz", "EYZ")} <= {
         (one.parts[0].name, part.name) for one in each for part in one.parts[1:]
     }
@@ -33,7 +37,7 @@ def test_squareness_and_slopes_of_the_papers_plan() -> None:
 
 def test_it_is_the_uncertainty_of_the_sum() -> None:
     estimate = found("dmu60p_runs", 1.0)
-    for one in combinations(estimate):
+    for one in combinations(estimate, RUNS):
         layout = estimate.layout
         change = np.zeros(layout.count)
         for part in one.parts:
@@ -47,13 +51,22 @@ def test_it_is_the_uncertainty_of_the_sum() -> None:
 
 def test_known_squareness_leaves_the_slopes_alone() -> None:
     names = dict.fromkeys(model().location_errors, 0.0)
-    parts = [part.name for one in combinations(found("dmu60p_regular_runs", 0.01, **names)) for part in one.parts]
+    parts = [part.name for one in combinations(found("dmu60p_regular_runs", 0.01, **names), RUNS) for part in one.parts]
     assert not set(parts) & {"eps_xy", "eps_yz", "eps_xz"}
 
 
 def test_nothing_measured_is_no_combination() -> None:
     estimate = found("dmu60p_runs", 1.0)
-    assert combinations(replace(estimate, spread=np.diag(estimate.scale))) == ()
+    assert combinations(replace(estimate, spread=np.diag(estimate.scale)), RUNS) == ()
+
+
+@pytest.mark.parametrize(
+    ("runs", "told"),
+    [((2,), "laser scale (R2)"), ((0, 2), "laser scale (R0, R2)"), ((0, 1, 2, 3), "laser scale (R0 and 3 more)")],
+)
+def test_unknowns_of_instruments_are_named_with_their_runs(runs: tuple[int, ...], told: str) -> None:
+    """Scales of two lasers, cosines of two lines have one name otherwise."""
+    assert _label(SharedUnknown(kind="laser scale", of=None, runs=runs), RUNS) == told
 
 
 def test_in_words() -> None:

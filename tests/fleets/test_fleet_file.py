@@ -28,8 +28,11 @@ tasks = ["report"]
 """
 
 
-def faults_of(tmp_path: Path, text: str) -> list[str]:
+def faults_of(tmp_path: Path, text: str, specs: tuple[str, ...] = ("specs/m17.toml", "s.toml", "s")) -> list[str]:
     path = tmp_path / "FLEET.toml"
+    (tmp_path / "specs").mkdir(exist_ok=True)
+    for spec in specs:
+        (tmp_path / spec).touch()
     path.write_text(text)
     with pytest.raises(InputError) as error:
         read_fleet(path)
@@ -46,6 +49,15 @@ def test_what_it_says(tmp_path: Path) -> None:
         FleetMachine(id="M-18.b", spec="specs/m17.toml", errors=None, data=("a", "b/*"), tasks=("identify",)),
         FleetMachine(id="paper", spec="s.toml", errors="e.json", data=(), tasks=("report",)),
     )  # fmt: skip
+
+
+def test_specs_that_are_not_there_stand_beside_other_faults(tmp_path: Path) -> None:
+    """By themselves they are rows of machines that failed; a file that is to be mended is mended once."""
+    found = faults_of(tmp_path, GOOD.replace('"identify"]', '"grind"]'), specs=("s.toml",))
+    assert found == [
+        "line 7, key machine[0].tasks: has 'grind'; of identify, diagnose, report",
+        "line 4, key machine[0].spec: there is no file 'specs/m17.toml'; a spec, from the folder of the fleet file",
+    ]
 
 
 def test_every_fault_is_told_with_its_line(tmp_path: Path) -> None:

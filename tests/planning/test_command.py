@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -10,11 +11,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.generator.dmu60p import cubic_errors
+from tests.identification.data import mixed_data
 from tests.planning.data import ROOT, model
 from trueaxis.cli.main import main
+from trueaxis.identification.weighting import NoiseModel
 from trueaxis.machine import read_machine
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
+from trueaxis.planning.noise import noise_of_instruments, noise_of_runs
 from trueaxis.planning.paths import follow
 
 MACHINE = ROOT / "machines" / "dmu60p.toml"
@@ -232,13 +237,13 @@ def test_faults_of_options_and_files(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert plan(RUNS, "--for", "EQQ", "--propose", "1") == 2
     assert plan(RUNS, "--for", "EYX", "--hours", "3", "--with", "laser") == 2
     assert plan(RUNS, "--noise-um", "repeats") == 2
-    assert plan(RUNS, "--noise-um", "laser=1", "--propose", "1", "--propose-with", "ballbar") == 2
+    assert plan(RUNS, "--noise-um", "lazer=1") == 2
     assert plan(tmp_path / "nowhere") == 2
     error = " ".join(capsys.readouterr().err.split())
     for said in (
         "--propose N as well", "another folder for --out", "nowhere", "X-9: is no run", "EQQ: is no error",
         "--hours: goes with --with", "--with: makes a plan from nothing", "a plan has no readings",
-        "says nothing of new runs of the ballbar",
+        "lazer: is neither an instrument nor a run",
     ):  # fmt: skip
         assert said in error
     assert main(["plan", str(MACHINE), *KERNELS]) == 2
@@ -251,6 +256,24 @@ def test_faults_of_options_and_files(tmp_path: Path, capsys: pytest.CaptureFixtu
             plan(RUNS, *wrong)
         assert caught.value.code == 2
     assert not (tmp_path / "x").exists()
+
+
+def test_the_noise_of_one_instrument_may_be_stated_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    """The others keep the round figure of a plan, which the report says."""
+    assert plan(RUNS, "--noise-um", "laser=0.4", "--propose", "1", "--propose-with", "ballbar") == 0
+    assert "laser: 0.4 um assumed" in capsys.readouterr().out
+    stated = NoiseModel(by_group={"laser": 0.4})
+    assert noise_of_instruments(["laser", "ballbar"], {}, stated) == {"laser": pytest.approx(4e-4), "ballbar": 1e-3}
+    observed = mixed_data(cubic_errors())
+    each = noise_of_runs(observed, replace(stated, by_group={"laser": 0.4, "X-2": 0.7}))
+    told = {run.id: each[index] for index, run in enumerate(observed.runs)}
+    assert told == {
+        run.id: pytest.approx({"X-2": 7e-4}.get(run.id, 4e-4 if run.instrument == "laser" else 1e-3))
+        for run in observed.runs
+    }
+    words = ["--with", "laser", "ballbar", "--hours", "0.5", "--out", "never"]
+    assert main(["plan", str(MACHINE), *words, "--noise-um", "lazer=0.4", *KERNELS]) == 2
+    assert "lazer: is no instrument of lengths; laser, ballbar, probe" in capsys.readouterr().err
 
 
 def test_options_of_the_least_squares_name_what_replaces_them(capsys: pytest.CaptureFixture[str]) -> None:

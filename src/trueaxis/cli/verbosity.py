@@ -10,7 +10,7 @@ def add_verbosity(parser: argparse.ArgumentParser) -> None:
     """Add both options. Neither has a default: that of a command would undo what stands before it."""
     for short, long, what in (
         ("-v", "--verbose", "say what is read, done and written, on standard error"),
-        ("-q", "--quiet", "no warnings and no progress on standard error; faults and the report stay"),
+        ("-q", "--quiet", "no warnings and no progress on standard error; faults stay, and the report with its notes"),
     ):
         parser.add_argument(
             short, long, dest="verbosity", action="store_const", const=VERBOSITY[short], default=argparse.SUPPRESS,

@@ -5,6 +5,7 @@ combination were known. Looked at are numbers that have a name: slopes of curves
 an instrument. The combination is the least-squares regression of the first of them on the others, over the posterior.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,6 +18,7 @@ from trueaxis.measurement.setup import PointOn
 
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
 MOST_PARTNERS = 3  # a sum of more than four is no statement on any of them: that none is known is in their u
+MOST_RUNS = 3  # named of an unknown that runs share
 INDEPENDENT = 1e-10  # of its square: what is left of a number that others make up
 
 What = Literal["location", "slope", "instrument"]
@@ -43,9 +45,12 @@ class Combination:
     alone: tuple[float, ...]
 
 
-def combinations(found: Estimate) -> tuple[Combination, ...]:
-    """All that hold an error of the machine, of an estimate before the convention for straightness and squareness."""
-    names, rows = _named(found)
+def combinations(found: Estimate, runs: Sequence[str]) -> tuple[Combination, ...]:
+    """All that hold an error of the machine, of an estimate before the convention for straightness and squareness.
+
+    runs: ids, by index.
+    """
+    names, rows = _named(found, runs)
     spread = found.spread[rows] / found.scale[rows][:, np.newaxis]
     seen: dict[frozenset[int], Combination] = {}
     for index, own in enumerate(np.linalg.norm(spread, axis=1).tolist()):
@@ -57,7 +62,7 @@ def combinations(found: Estimate) -> tuple[Combination, ...]:
     return tuple(one for one in smallest if any(part.what != "instrument" for part in one.parts))
 
 
-def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatArray]:
+def _named(found: Estimate, runs: Sequence[str]) -> tuple[list[tuple[What, str, float, str]], FloatArray]:
     """(what, name, number per unknown, unit) of every named number, and (k,) their unknowns: each is one of them."""
     layout = found.layout
     model, offsets = layout.model, layout.offsets
@@ -69,17 +74,19 @@ def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatAr
         unit = "1" if is_scale else name.slope_unit
         names.append(("slope", name, basis.per_position, unit))
     for unknown in layout.shared:
-        names.append(("instrument", _label(unknown), 1.0, unknown.unknown_class.unit))
+        names.append(("instrument", _label(unknown, runs), 1.0, unknown.unknown_class.unit))
     first = int(offsets[-1])
     located = np.arange(first, first + len(layout.locations))
     return names, np.concatenate([located, offsets[:-1], np.arange(layout.count)[layout.of_shared]])
 
 
-def _label(unknown: SharedUnknown) -> str:
-    """`ballbar centre z at (250, -225, 200)`, `ballbar length`, `laser scale`."""
+def _label(unknown: SharedUnknown, runs: Sequence[str]) -> str:
+    """`ballbar centre z at (250, -225, 200)`, `ballbar length (run-4, run-5)`, `laser scale (run-1 and 11 more)`."""
     points = [part.point for part in unknown.of if isinstance(part, PointOn)] if isinstance(unknown.of, tuple) else []
     if not (unknown.unknown_class.of_point and points):
-        return unknown.label
+        of = [runs[index] for index in unknown.runs]
+        few = of if len(of) <= MOST_RUNS else of[:1]
+        return f"{unknown.label} ({', '.join(few)}{'' if few == of else f' and {len(of) - 1} more'})"
     return f"{unknown.label} at ({', '.join(f'{part:g}' for part in points[-1])})"
 
 

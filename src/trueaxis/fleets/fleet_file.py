@@ -43,15 +43,21 @@ class Fleet:
 
 
 def read_fleet(path: Path) -> Fleet:
-    """Read a fleet file. Raises InputError with every fault of it; the files that it names are not looked at."""
+    """Read a fleet file. Raises InputError with every fault of it, and then with the specs that are not there; else the
+    files that it names are not looked at: a machine without its spec is a row that says so.
+    """
     text, faults = utf8_text(path, input_bytes(path)), Faults(str(path))
     top = Fields(parse_toml(text, faults), (), complainer(text, faults))
     if top.integer("schema", SCHEMA) != SCHEMA:
         top.fault("schema", f"is {shown(top.raw['schema'])}", f"this version reads schema {SCHEMA}")
     machines: list[FleetMachine] = []
     places: dict[str, str] = {}
+    specless: dict[str, Fields] = {}
     for table in top.tables("machine", required=True, most=MOST_MACHINES):
         machine = _machine(table)
+        spec = table.raw.get("spec")
+        if isinstance(spec, str) and not (path.parent / spec).is_file():
+            specless.setdefault(spec, table)
         if machine is None:
             continue
         if before := places.get(machine.id.casefold()):
@@ -62,6 +68,8 @@ def read_fleet(path: Path) -> Fleet:
     if "machine" in top.raw and not machines and not faults.found:
         top.fault("machine", "holds no machine", "one table [[machine]] or more")
     top.refuse_others("schema, machine")
+    for spec, table in specless.items() if faults.found else ():
+        table.fault("spec", f"there is no file {shown(spec)}", "a spec, from the folder of the fleet file")
     faults.raise_if_any()
     return Fleet(path.parent, tuple(machines))
 

@@ -79,7 +79,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
     judged = with_misread(quality(residuals, observed.runs), observed, found)
     if judged.fit.state == "misfit" and remedies:
         judged = replace(judged, reason="; ".join([judged.reason, *remedies]))
-    together = combinations(found)
+    together = combinations(found, [run.id for run in observed.runs])
     tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}

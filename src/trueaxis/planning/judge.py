@@ -34,7 +34,7 @@ def judge(
         components=_components(found),
         locations=_locations(found),
         effects=effects,
-        combinations=combinations(found),
+        combinations=combinations(found, [run.id for run in observed.runs]),
         noise=_noise(observed, noise),
         runs=len(planned.runs),
         readings=observed.reading.size,

@@ -20,7 +20,7 @@ from trueaxis.planning.choice import LEAST_FALL, Chosen
 from trueaxis.planning.effects import expected_with_effects
 from trueaxis.planning.judge import judge
 from trueaxis.planning.location_sets import location_sets
-from trueaxis.planning.noise import noise_of_instruments, noise_of_runs
+from trueaxis.planning.noise import noise_of_instruments, noise_of_runs, refuse_runs
 from trueaxis.planning.order import order
 from trueaxis.planning.propose import VOLUME, Proposal, Wish, for_noise, named, propose
 from trueaxis.planning.report import Added, PlanReport, ProposalReport
@@ -92,6 +92,7 @@ def first_plan(
     model: MachineModel, options: PlanOptions, instruments: Sequence[Instrument], hours: float | None
 ) -> Proposed:
     """Runs for a machine of which nothing is measured, in at most `hours`; None: while a run is worth its time."""
+    refuse_runs(options.noise)
     kit = Kit(instruments=tuple(instruments), tools=options.tools)
     wish = _wish(options, kit)
 

@@ -93,7 +93,7 @@ def _expectations(found: Expectations) -> list[str]:
 def _noise(one: NoiseReport) -> str:
     low, high = one.um
     noise = f"{low:g} {one.unit}" if low == high else f"{low:g} to {high:g} {one.unit}"
-    text = f"{one.instrument}: {noise} assumed, {one.runs} runs, {one.readings} readings"
+    text = f"{one.instrument}: {noise} assumed, {one.runs} run{'s' * (one.runs > 1)}, {one.readings} readings"
     if one.freedom == 0:
         return (
             f"{text}; nothing is repeated: the noise has to come from what the errors leave over, where an effect that "
