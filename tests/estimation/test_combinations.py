@@ -13,7 +13,6 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.identification.words import combination_text
 from trueaxis.model.errors import ErrorValues
 
-
 RUNS = [f"R{index}" for index in range(40)]
 
 

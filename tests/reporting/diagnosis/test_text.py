@@ -5,6 +5,7 @@ from typing import get_args
 import pytest
 
 from tests.reporting.diagnosis import builders
+from trueaxis.diagnosis.of_plan import NextRun
 from trueaxis.diagnosis.result import Gain, Stage, Verdict
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
@@ -36,6 +37,20 @@ def test_a_cause_on_the_console() -> None:
         "held-out residuals have 1.03 times the scatter predicted of them: as it should be",
     ):
         assert line in lines
+
+
+def test_runs_for_effects_that_are_no_causes_are_left_to_the_report() -> None:
+    """The console says what to do about the verdict; which two drifts look alike does not concern a backlash."""
+    drifts = Effect(kind="drift", component="EZZ"), Effect(kind="thermal_offset", component="EZZ")
+    plain = builders.diagnosis("ambiguous")
+    other = replace(plain.next_runs[0], run="laser, Z moving", pairs=((drifts[0], drifts[1:]),))
+    noise = NextRun(instrument="laser")
+    text = summary_text(replace(plain, next_runs=(*plain.next_runs, other, noise)))
+    assert "next: circles in XY at another feed" in text
+    assert "next: every run of the laser three times" in text
+    assert "laser, Z moving" not in text
+    assert "report.html names 1 more run, which would tell effects apart that these readings show nothing of\n" in text
+    assert "report.html names" not in summary_text(plain)
 
 
 def test_an_own_kind_is_told_by_its_formula() -> None:

@@ -5,7 +5,7 @@ Each of them becomes one for a page by `in_words`.
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from trueaxis.diagnosis.of_plan import Absence, NextRun, Separating, Told
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
@@ -35,6 +35,19 @@ def proposals(diagnosis: Diagnosis) -> tuple[Proposal, ...]:
         if one.run:
             found.setdefault(one.run, one)
     return tuple(found.values())
+
+
+def of_verdict(diagnosis: Diagnosis) -> tuple[Proposal, ...]:
+    """The proposals that bear on the verdict: on a cause that is named, structure without a name, an unknown noise. The
+    others would tell effects apart that the readings show nothing of.
+    """
+    named = {one.effect for cause in diagnosis.causes for one in (cause, *cause.rivals)}
+    runs = [
+        one
+        for one in diagnosis.next_runs
+        if one.told is None or named & {effect for first, others in one.pairs for effect in (first, *others)}
+    ]
+    return proposals(replace(diagnosis, next_runs=tuple(runs)))
 
 
 def _proposal(one: NextRun) -> Proposal:

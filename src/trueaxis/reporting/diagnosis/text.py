@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.effects.library import BY_NAME
-from trueaxis.reporting.diagnosis.further import proposals, separating_run, warnings
+from trueaxis.reporting.diagnosis.further import of_verdict, proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, percent, probability, with_expanded
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
 from trueaxis.reporting.diagnosis.words import (
@@ -41,7 +41,11 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         yield misfit(diagnosis)
     yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
     yield from _gain(diagnosis.gain)
-    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in proposals(diagnosis))
+    shown = of_verdict(diagnosis)
+    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in shown)
+    if others := len(proposals(diagnosis)) - len(shown):
+        runs = "run" if others == 1 else "runs"
+        yield f"report.html names {others} more {runs}, which would tell effects apart that these readings show nothing of"
     yield from (f"warning: {text}" for text in warnings(diagnosis))
 
 
