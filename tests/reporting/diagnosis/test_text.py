@@ -49,7 +49,7 @@ def test_runs_for_effects_that_are_no_causes_are_left_to_the_report() -> None:
     assert "next: circles in XY at another feed" in text
     assert "next: every run of the laser three times" in text
     assert "laser, Z moving" not in text
-    assert "report.html names 1 more run, which would tell effects apart that these readings show nothing of\n" in text
+    assert "report.html names 1 more run, to tell effects apart that these readings show nothing of\n" in text
     assert "report.html names" not in summary_text(plain)
 
 

@@ -45,7 +45,7 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in shown)
     if others := len(proposals(diagnosis)) - len(shown):
         runs = "run" if others == 1 else "runs"
-        yield f"report.html names {others} more {runs}, which would tell effects apart that these readings show nothing of"
+        yield f"report.html names {others} more {runs}, to tell effects apart that these readings show nothing of"
     yield from (f"warning: {text}" for text in warnings(diagnosis))
 
 
