@@ -81,7 +81,7 @@ class Visited:
     def _parts(self, way: FloatArray) -> npt.NDArray[np.int64]:
         """(n,): into how many motions are divided: two to a cell's width, none is passed through unseen."""
         cells = np.abs(way / self._travel).max(axis=0) * self._each
-        return np.maximum(np.ceil(2.0 * cells), 1.0).astype(np.int64)
+        return np.asarray(np.maximum(np.ceil(2.0 * cells), 1.0), dtype=np.int64)
 
     def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
         """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
