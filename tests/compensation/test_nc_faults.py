@@ -60,7 +60,7 @@ def test_all_faults_at_once_with_their_lines(bench: Bench) -> None:
 
 def test_faults_come_in_the_order_of_lines(bench: Bench) -> None:
     with pytest.raises(InputError) as error:
-        bench.run("G0 X1. Y1. Z1.\nX5000.\nG54\nY-5000.\nG43\n")
+        bench.run("G0 X1. Y1. Z1.\nX5000.\nG43\nY-5000.\nG54\n")
     assert [fault.place for fault in error.value.faults] == [f"line {line}" for line in (2, 3, 4, 5)]
 
 

@@ -10,8 +10,8 @@ import numpy.typing as npt
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows, rotary_rows
 
 MOST_CELLS = 8000  # of a program: u at so many positions takes about half a second
-# Errors do not differ within a cell of these, 1 mm of a travel of 500 mm.
-FINEST = 512  # cells along an axis; a power of two: halves are whole
+# Errors do not differ within a cell of these, half a millimetre of a travel of 500 mm.
+FINEST = 1024  # cells along an axis; a power of two: halves are whole
 MOST_SAMPLES = 500_000  # along the motions of one batch: 30 MB
 
 
