@@ -19,7 +19,8 @@ from tests.hidden_effects.temperature import REFERENCE
 class Hidden:
     """size: the first parameter of the kind (width, amplitude, coefficient ...), mm, rad, s and their quotients;
     for laser_cosine the angle; for point_offset the shift along `shift`. axis: the other axis, or the shift's letter.
-    component: also EC0X and the like, for a squareness. shape: seed of what the size does not say (phase, pitch ...).
+    component: also EC0X and the like, for a squareness. shape: seed of what the size does not say (phase, pitch ...);
+    pitch: mm, of a cyclic error, where it is not drawn.
     """
 
     kind: str
@@ -30,6 +31,7 @@ class Hidden:
     size: float = 0.0
     shift: str = ""
     shape: int = 0
+    pitch: float = 0.0
 
     def draw(self) -> np.random.Generator:
         return np.random.default_rng([self.shape, sum(map(ord, self.kind))])
@@ -72,7 +74,7 @@ def _cyclic(effect: Hidden, machine: Machine, state: State) -> Array:
     source, axis = effect.draw(), effect.component[2]
     pitch = source.uniform(7.3, 21.7) if axis in "XYZ" else source.uniform(6.1, 38.3)
     first, second = source.uniform(0, 2 * np.pi, 2)
-    angle = 2 * np.pi * state.positions[axis] / pitch
+    angle = 2 * np.pi * state.positions[axis] / (effect.pitch or pitch)
     found: Array = effect.size * (np.cos(angle + first) + 0.15 * np.cos(2 * angle + second))
     return found
 

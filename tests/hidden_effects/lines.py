@@ -113,8 +113,10 @@ def _run_of_line(
 def _targets(design: Design, source: Source, low: float, high: float) -> Array:
     targets = np.linspace(low, high, design.targets)
     if design.jitter:
-        step = targets[1] - targets[0]
-        targets[1:-1] += source.uniform(-0.4, 0.4, design.targets - 2) * step
+        most = 0.4 * (targets[1] - targets[0])
+        if design.off is not None:
+            most = min(most, design.off)
+        targets[1:-1] += source.uniform(-1.0, 1.0, design.targets - 2) * most
     return np.round(targets, 3 if high - low > 2.0 else 6)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.special import ndtr
 
-from trueaxis.diagnosis.refit import Fitted
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
 from trueaxis.diagnosis.search import Ground
 

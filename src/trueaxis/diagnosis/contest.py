@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.imperfection import imperfections
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection, orthonormal
-from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import FloatArray, Stale
-from trueaxis.diagnosis.scan import Scanned
-from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, Search, best_of, scan_all, with_rivals
+from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
+from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, best_of, scan_all, search_of
 from trueaxis.diagnosis.separation import APART
-from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.verdict import size_is_significant
 
@@ -49,18 +49,17 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     behind = changes.evidence + float(np.log10(max(len(scans), 1)))
     if best is None or best.scan.evidence < ground.threshold or best.scan.preference < behind - RIVAL:
         return None, changes
-    (best,) = with_rivals(
-        tight,
-        Search(
-            causes=(best,), first=scans, projection=free, residual=free.rest(tight.values), threshold=ground.threshold
-        ),
-    ).causes
-    tried = [(one, *_instead(tight, null, one, known)) for one in (best.scan, *best.rivals)[:MOST]]
+    found = search_of(tight, [best], scans)
+    tight, found, (cause,) = with_best_periods(tight, found, refit(tight, (best,)), ())
+    (best,) = with_rivals(tight, found).causes
+    others = [one.fitted for one in best.rivals if one.fitted.effect != cause.effect]
+    besides = (*imperfections(tight.readings, cause), *of_rivals((best,), (cause,)))
+    left = stale_values(null, (*known, cause.signal), besides, tight.freedom)
+    tried = [(cause, left), *((one, _left(tight, null, one, known)) for one in others[: MOST - 1])]
     # an effect that aliases to a slow curve at targets of one distance has any size
-    vanishes = tuple(one.effect for one, cause, left in tried if not left.stale and size_is_significant(cause))
-    scan, cause, left = tried[0]
+    vanishes = tuple(one.effect for one, its in tried if not its.stale and size_is_significant(one))
     alone = len(changes.stale) == 1 and _imitates(null, free, changes.stale[0], cause)
-    if scan.effect in vanishes and scan.preference >= behind + LIKELIER and not alone:
+    if cause.effect in vanishes and best.scan.preference >= behind + LIKELIER and not alone:
         return Named(best, cause), left
     return None, replace(changes, stale=tuple(replace(one, effects=vanishes) for one in changes.stale))
 
@@ -74,9 +73,7 @@ def _imitates(null: Null, free: Projection, stale: Stale, cause: Fitted) -> bool
     return bool(left @ left < APART * (signal @ signal))
 
 
-def _instead(tight: Ground, null: Null, scan: Scanned, known: Sequence[FloatArray]) -> tuple[Fitted, Changes]:
-    """The effect fitted with true values beside it, and what is stale then."""
-    signature = signature_of(tight.readings, scan.effect, (scan.point,))
-    (cause,) = refit(tight, (Found(scan, signature),))
+def _left(tight: Ground, null: Null, cause: Fitted, known: Sequence[FloatArray]) -> Changes:
+    """What is stale beside an effect."""
     besides = tuple(imperfections(tight.readings, cause))
-    return cause, stale_values(null, (*known, cause.signal), besides, tight.freedom)
+    return stale_values(null, (*known, cause.signal), besides, tight.freedom)

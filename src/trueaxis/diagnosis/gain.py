@@ -13,8 +13,8 @@ from scipy.linalg import solve_triangular
 
 from trueaxis.diagnosis.base import Base
 from trueaxis.diagnosis.by_run import ByRun
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.null import less_own
-from trueaxis.diagnosis.refit import Fitted
 from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, GainOfAngles, IntArray, Stage
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import Whitening

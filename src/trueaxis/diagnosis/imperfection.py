@@ -13,9 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.diagnosis.projection import orthonormal
-from trueaxis.diagnosis.refit import Fitted
+from trueaxis.diagnosis.fitted import Fitted
+from trueaxis.diagnosis.projection import Projection, orthonormal
 from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.expression import names, parse
@@ -53,6 +54,18 @@ def imperfection(
             form = orthonormal(seen(derivatives[:, [each.role != "grid" for each in one.kind.parameters]]))
             beside.append(columns[-1] - form @ (form.T @ columns[-1]))
     return Imperfection(np.hstack(columns), np.hstack(beside))
+
+
+def beside_forms(ground: Ground, causes: Sequence[Fitted]) -> Ground:
+    """The same search, with what the forms of these causes may lack as further chance in the readings."""
+    bare = Projection(ground.plain.basis)
+    chance = imperfection(ground.readings, causes, lambda columns: bare.rest(ground.whitening(columns)))
+    return replace(
+        ground,
+        base=bare.softened(np.hstack([ground.plain.by_chance, chance.beside])),
+        wide=bare.softened(np.hstack([ground.plain.by_chance, chance.columns])),
+        known={},
+    )
 
 
 def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:

@@ -8,14 +8,16 @@ import numpy as np
 from trueaxis.diagnosis.amplitudes import amplitudes_of
 from trueaxis.diagnosis.checks import run_checks
 from trueaxis.diagnosis.contest import contest
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.imperfection import imperfections
 from trueaxis.diagnosis.instruments import Off, instruments_off
 from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, what_is_free
 from trueaxis.diagnosis.projection import Projection
-from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
-from trueaxis.diagnosis.search import Ground, Search, whitened_columns, with_rivals, without
+from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
+from trueaxis.diagnosis.search import Ground, Search, whitened_columns, without
 from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.diagnosis.structure import Check
 from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
@@ -44,7 +46,7 @@ def judged_causes(
     while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
         # a further cause that is not one everywhere is none, and says nothing against the others
         found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
-        causes = refit(ground, found.causes)
+        ground, found, causes = with_best_periods(ground, found, refit(ground, found.causes), standing)
         groups = _amplitudes(ground, causes)
     checks = _checks(ground, found.projection, found.residual)
     hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
@@ -65,7 +67,7 @@ def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence
     """Instruments that are off, and values given that are stale: or the effect that takes their place."""
     known = (*standing, *judged.causes)
     signals = [one.signal for one in known]
-    besides = [column for one in known for column in imperfections(ground.readings, one)]
+    besides = _besides(ground, judged, known)
     off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     signals += [one.signal for one in off]
     judged = replace(judged, off=off)
@@ -90,7 +92,7 @@ def judged_runs(
     """Runs that no errors of the machine fit."""
     known, nothing = (*standing, *judged.causes), np.zeros((null.rows.size, 0))
     signals = [*(one.signal for one in known), *(one.signal for one in judged.off)]
-    besides = [column for one in known for column in imperfections(ground.readings, one)]
+    besides = _besides(ground, judged, known)
     causes = Known(np.column_stack([nothing, *signals]), np.column_stack([nothing, *besides]))
     return beside_misfits(ground, judged, changes, misfits(null, causes))
 
@@ -101,6 +103,12 @@ def beside_misfits(ground: Ground, judged: Judged, changes: Changes, runs: Seque
         return judged, changes
     wrong = tuple(dict.fromkeys([*judged.misfits, *runs]))
     return replace(without_names(ground, judged), misfits=wrong), replace(changes, stale=())
+
+
+def _besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[FloatArray]:
+    """(n,) each, mm: what causes may do besides, or would if another of their periods were the right one."""
+    forms = [column for one in known for column in imperfections(ground.readings, one)]
+    return [*forms, *(of_rivals(judged.search.causes, judged.causes) if judged.causes else ())]
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:

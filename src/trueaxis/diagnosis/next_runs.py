@@ -37,10 +37,10 @@ class Ahead:
 
 def ahead_of(prospect: Prospect, found: Found, size: float) -> Ahead:
     """What to do about the rivals of a cause; cheap where it has none."""
-    rivals = tuple(one.effect for one in found.rivals)
+    rivals = tuple(one.scan.effect for one in found.rivals)
     best = None
     if rivals:
-        placed = [Placed(one.effect, one.point) for one in (found.scan, *found.rivals)]
+        placed = [Placed(one.effect, one.point) for one in (found.scan, *(each.scan for each in found.rivals))]
         mine, *others = outlooks_of(prospect, placed)
         best = separation(prospect, mine, others)
     return Ahead(found.scan.effect, rivals, size, best)

@@ -8,16 +8,17 @@ import numpy as np
 from trueaxis.diagnosis.audit import audit
 from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.extend import Extend, identified_anew
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.given import given_by_chance
-from trueaxis.diagnosis.imperfection import imperfection
+from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
 from trueaxis.diagnosis.null import Null, again, null_of, what_is_free
-from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.prospect import prospect_of
-from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnosis.rivals import with_best_periods
 from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.diagnosis.search import Each, Found, Ground, Search, likeliest, search
 from trueaxis.diagnosis.signature import Readings, readings_of
@@ -70,6 +71,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     standing = standing_effects(readings)
     free = refitted_columns(readings, standing)
     null, ground, found, causes = _beside_causes(readings, free, null, options, standing)
+    ground, found, causes = with_best_periods(ground, found, causes, standing)
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
     options.progress("checks")
@@ -151,21 +153,19 @@ def _searched(
 ) -> tuple[Ground, Search, tuple[Fitted, ...]]:
     white = null.whitening
     plain = what_is_free(null, free)
-    bare = Projection(plain.basis)
-    chance = imperfection(readings, known, lambda columns: bare.rest(white(columns)))
-    of_laser = white(null.base.by_chance)
-    ground = Ground(
+    bare = Ground(
         readings=readings,
         effects=candidates(readings.model, null.rows),
         whitening=white,
         plain=plain,
-        base=bare.softened(np.hstack([of_laser, chance.beside])),
+        base=plain,
+        wide=plain,
         values=white(null.values),
         freedom=freedom_of(null.rows, white.sigma, null.noise),
         progress=options.progress,
         each=options.each,
-        wide=bare.softened(np.hstack([of_laser, chance.columns])),
     )
+    ground = beside_forms(bare, known)
     found = search(ground, start)
     return ground, found, refit(ground, found.causes)
 

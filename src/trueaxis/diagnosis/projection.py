@@ -41,6 +41,13 @@ class Projection:
         found = 1.0 - self.basis.squares()
         return np.asarray(found - np.sum(self.causes**2, axis=1) if self.causes.size else found)
 
+    @property
+    def by_chance(self) -> FloatArray:
+        """(n, k): how readings vary by chance, one standard deviation each."""
+        if not self.soft.size:
+            return np.zeros((int(self.basis.starts[-1]), 0))
+        return np.asarray(self.soft * np.sqrt((1.0 - self.shrink) ** -2 - 1.0))
+
     def rest(self, columns: FloatArray) -> FloatArray:
         """What is left of columns (n,) or (n, k), independent and of variance 1 where it is noise alone."""
         left = self._rooted(columns - self.basis @ self.basis.transposed(columns))

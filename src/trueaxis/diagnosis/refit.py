@@ -1,15 +1,15 @@
 """All causes fitted together: Gauss-Newton with shortened steps, with the derivatives that the kernels give."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import Found, Ground
 from trueaxis.diagnosis.signature import Readings
 from trueaxis.diagnosis.signatures import parameter_signature
-from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.kind import Effect
 
 STEPS = 12
 FAR = 1.0  # share of a searched parameter by which the fit may leave it
@@ -17,27 +17,13 @@ HALVINGS = 12
 CONVERGED = 1e-6  # of a standard uncertainty
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Fitted:
-    """One cause with its parameters in the order of its kind; u: NaN where the readings do not tell.
-
-    signal: (n,), mm, its signature in the readings; unit: (n,), the same per unit of its first parameter.
-    """
-
-    effect: Effect
-    kind: Kind
-    values: FloatArray
-    u: FloatArray
-    signal: FloatArray
-
-
-def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
-    """Values and standard uncertainties of all parameters, base projected out."""
+def refit(ground: Ground, causes: Sequence[Found], start: Sequence[Fitted] = ()) -> tuple[Fitted, ...]:
+    """Values and standard uncertainties of all parameters, base projected out. start: as they were fitted before."""
     if not causes:
         return ()
     kinds = [one.signature.kind for one in causes]
     effects = [one.scan.effect for one in causes]
-    values = [_start(one) for one in causes]
+    values = [one.values for one in start] or [_start(one) for one in causes]
     ends = np.cumsum([0, *(one.size for one in values)])
     within = [_bounds(one, value, ground.readings) for one, value in zip(causes, values, strict=True)]
     covariance = np.zeros((int(ends[-1]), int(ends[-1])))

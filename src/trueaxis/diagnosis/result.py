@@ -54,13 +54,14 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
-    """-log10(p m) of one candidate in one round of the search; threshold: what it had to reach."""
+    """-log10(p m) of one candidate in one round of the search. parameters: of a rival, fitted in place of the cause."""
 
     effect: Effect
     evidence: float
     p_value: float
     tries: float
     freedom: int
+    parameters: tuple[Estimate, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +78,7 @@ class Cause:
     """One named cause, or the best of a set that the readings cannot tell apart.
 
     rms: of its signature over the readings, mm; held_out_gain: share by which it lowers the held-out RMS, noise
-    included; rivals: what explains the readings about as well; homogeneous_p: of the test that all groups have one
+    included; rivals: what explains the readings about as well: other effects, or the same of another period; homogeneous_p: of the test that all groups have one
     amplitude; remainder: whether structure is left beside it; formula: its term in LaTeX, values not filled in;
     separating: the further run that would tell it from its rivals, None where it has none.
     """

@@ -44,13 +44,12 @@ class Scanned:
 
     statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
     number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
-    same as if the noise were known, by which candidates are compared: they share its uncertainty. place: of the point
-    on the grid; peaks: of it and of all others beside which a higher peak may be, such as an alias of a period.
+    same as if the noise were known, by which candidates are compared: they share its uncertainty. peaks: places on the
+    grid of the point and of all others beside which a higher peak may be, such as an alias of a period.
     """
 
     effect: Effect
     point: Mapping[str, float]
-    place: int
     peaks: tuple[int, ...]
     amplitudes: FloatArray
     statistic: float
@@ -71,10 +70,9 @@ def residual_of(whitening: Whitening, base: Projection, values: FloatArray, free
 def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:
     """Scan one candidate. The cost grows with the readings that it reaches times causes times points of the grid."""
     k = signature.terms.shape[2]
-    inside = signature.products(residual.back)
-    gram = known.gram - _gram(inside[1:], inside[1:])
-    statistic, amplitudes = explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
-    best = int(np.argmax(statistic))
+    statistic, amplitudes = statistics(signature, known, residual)
+    peaks = peaks_of(statistic, HELD * float(statistic.max()))
+    best = peaks[0]
     most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
     tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
@@ -83,8 +81,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     return Scanned(
         effect=signature.effect,
         point=signature.points[best],
-        place=best,
-        peaks=peaks_of(statistic),
+        peaks=peaks,
         amplitudes=amplitudes[best],
         statistic=most,
         freedom=k,
@@ -96,10 +93,17 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     )
 
 
-def peaks_of(statistic: FloatArray) -> tuple[int, ...]:
-    """Places of local maxima that hold as much of the largest as a grid does of a peak, the largest first."""
+def statistics(signature: Signature, known: Prepared, residual: Residual) -> tuple[FloatArray, FloatArray]:
+    """(points,) what a candidate explains at each point of its grid, and (points, k) with which amplitudes."""
+    inside = signature.products(residual.back)
+    gram = known.gram - _gram(inside[1:], inside[1:])
+    return explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
+
+
+def peaks_of(statistic: FloatArray, least: float) -> tuple[int, ...]:
+    """Places of local maxima that are no lower, the highest first."""
     beside = np.concatenate([[-np.inf], statistic, [-np.inf]])
-    highest = (statistic >= beside[:-2]) & (statistic > beside[2:]) & (statistic >= HELD * statistic.max())
+    highest = (statistic >= beside[:-2]) & (statistic > beside[2:]) & (statistic >= least)
     places = np.flatnonzero(highest)
     return tuple(places[np.argsort(-statistic[places], kind="stable")].tolist())
 

@@ -1,12 +1,13 @@
 """The search for causes: one after another, each with everything that explains the readings about as well."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Protocol, TypeVar
 
 import numpy as np
 
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.prepared import Inner, Prepared, inner_of, prepared
@@ -17,14 +18,13 @@ from trueaxis.diagnosis.signature import Readings, Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.effects.grids import ZOOMS, Point, finer
 
 FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 MOST_CAUSES = 4
 LIKELIEST = 3  # candidates below the threshold, beside which the noise is estimated anew
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
-ZOOM = 7  # points per zoom of a grid, twice
-MOST_PEAKS = 8  # of a grid that are looked at more closely: aliases of a period, for targets that are nearly even
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 
 Progress = Callable[[str], None]
@@ -43,12 +43,23 @@ class Each(Protocol):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Rival:
+    """What explains the readings about as well as a cause in its place: another effect, or the same of another period.
+
+    scan: given all other causes; fitted: beside them.
+    """
+
+    scan: Scanned
+    fitted: Fitted
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Found:
     """One cause: scan of it given all other causes, its signature there (n_support, 1, k), and its rivals."""
 
     scan: Scanned
     signature: Signature
-    rivals: tuple[Scanned, ...] = ()
+    rivals: tuple[Rival, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -113,7 +124,7 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
         first = scan_all(ground, ground.left(ground.base), ground.effects)
         causes = _settled(ground, causes)
     while len(causes) < MOST_CAUSES:
-        residual = ground.left(_with(ground, causes))
+        residual = ground.left(beside_causes(ground, causes))
         taken = {one.scan.effect for one in causes}
         scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
         first = first or scans
@@ -121,10 +132,14 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
         if best is None or best.scan.evidence < ground.threshold + FURTHER * bool(causes):
             break
         causes = _settled(ground, [*causes, best])
-    causes.sort(key=lambda one: -one.scan.statistic)
-    projection = _with(ground, causes)
+    return search_of(ground, causes, first)
+
+
+def search_of(ground: Ground, causes: Sequence[Found], first: tuple[Scanned, ...]) -> Search:
+    """What causes leave, these in order of what they explain."""
+    projection = beside_causes(ground, causes)
     return Search(
-        causes=tuple(causes),
+        causes=tuple(sorted(causes, key=lambda one: -one.scan.statistic)),
         first=first,
         projection=projection,
         residual=projection.rest(ground.values),
@@ -142,15 +157,7 @@ def likeliest(ground: Ground, found: Search) -> list[Found]:
 def without(ground: Ground, found: Search, index: int) -> Search:
     """The search without one of its causes, the others looked at again."""
     causes = _settled(ground, [one for place, one in enumerate(found.causes) if place != index])
-    causes.sort(key=lambda one: -one.scan.statistic)
-    projection = _with(ground, causes)
-    return replace(found, causes=tuple(causes), projection=projection, residual=projection.rest(ground.values))
-
-
-def with_rivals(ground: Ground, found: Search) -> Search:
-    """The same causes, each with what explains the readings about as well in its place."""
-    causes = tuple(_with_rivals(ground, found.causes, index, found.first) for index in range(len(found.causes)))
-    return replace(found, causes=causes)
+    return search_of(ground, causes, found.first)
 
 
 def scan_all(ground: Ground, residual: Residual, effects: Sequence[Effect]) -> tuple[Scanned, ...]:
@@ -171,32 +178,26 @@ def zoomed(ground: Ground, residual: Residual, scan: Scanned) -> Found:
     """The candidate with its searched parameters between the points of the grid; tries remain those of the grid."""
     kind = ground.readings.model.machine.kinds[scan.effect.kind]
     grid, best = grid_of(kind, scan.effect, ground.readings.rows), scan
-    if len(grid) > 1 and len(grid[0]) == 1:
-        for peak in scan.peaks[:MOST_PEAKS]:
-            points, place = grid, peak
-            for _ in range(2):
-                points = _between(points, place)
-                signature = signature_of(ground.readings, scan.effect, points)
-                closer = scanned(signature, prepared(signature, ground.inner), residual)
-                place = closer.place
-                if closer.statistic >= best.statistic:
-                    best = _with_tries(closer, scan.tries)
+    for peak in scan.peaks if len(grid) > 1 and len(grid[0]) == 1 else ():
+        points, place = grid, peak
+        for _ in range(ZOOMS):
+            points = finer(points, place)
+            closer = scan_at(ground, residual, scan.effect, points)
+            place = closer.peaks[0]
+            if closer.statistic >= best.statistic:
+                best = with_tries(closer, scan.tries)
     signature = signature_of(ground.readings, scan.effect, (best.point,))
     return Found(best, signature)
 
 
-def _between(points: Sequence[Mapping[str, float]], place: int) -> tuple[Mapping[str, float], ...]:
-    """A finer grid between the neighbours of a point; in its inverse, in which frequencies are even."""
-    (name,) = points[0]
-    ends = [points[max(place - 1, 0)][name], points[min(place + 1, len(points) - 1)][name]]
-    if min(ends) > 0.0:
-        values = 1.0 / np.linspace(1.0 / ends[0], 1.0 / ends[1], ZOOM)
-    else:
-        values = np.linspace(ends[0], ends[1], ZOOM)
-    return tuple({name: float(value)} for value in values)
+def scan_at(ground: Ground, residual: Residual, effect: Effect, points: tuple[Point, ...]) -> Scanned:
+    """A candidate at points of its own."""
+    signature = signature_of(ground.readings, effect, points)
+    return scanned(signature, prepared(signature, ground.inner), residual)
 
 
-def _with_tries(scan: Scanned, tries: float) -> Scanned:
+def with_tries(scan: Scanned, tries: float) -> Scanned:
+    """The scan as one of a grid with so many places."""
     lower = float(np.log10(tries / scan.tries))
     return replace(
         scan,
@@ -207,7 +208,8 @@ def _with_tries(scan: Scanned, tries: float) -> Scanned:
     )
 
 
-def _with(ground: Ground, causes: Sequence[Found]) -> Projection:
+def beside_causes(ground: Ground, causes: Sequence[Found]) -> Projection:
+    """The base and causes."""
     return ground.base.extended(cause_columns(ground, causes)) if causes else ground.base
 
 
@@ -241,7 +243,7 @@ def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
     """Each cause looked at again given the others, until all reach what they have to; the weakest goes first."""
     while causes:
         for index in range(len(causes)):
-            residual = ground.left(_with(ground, causes[:index] + causes[index + 1 :]))
+            residual = ground.left(beside_causes(ground, causes[:index] + causes[index + 1 :]))
             again = scan_all(ground, residual, [causes[index].scan.effect])[0]
             causes[index] = zoomed(ground, residual, again)
         strongest = max(range(len(causes)), key=lambda index: causes[index].scan.statistic)
@@ -253,24 +255,3 @@ def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
             break
         causes = causes[:weakest] + causes[weakest + 1 :]
     return causes
-
-
-def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tuple[Scanned, ...]) -> Found:
-    """The cause with what explains the readings about as well in its place, the others staying."""
-    mine, others = causes[index], [*causes[:index], *causes[index + 1 :]]
-    residual = ground.left(_with(ground, others))
-    taken = {one.scan.effect for one in causes}
-    if others:
-        scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
-    else:
-        scans = tuple(one for one in first if one.effect not in taken)
-    rivals = []
-    for one in scans:
-        least = mine.scan.preference - RIVAL
-        if one.preference < least and not (one.point and one.statistic > WORTH_ZOOMING * mine.scan.statistic):
-            continue
-        closer = zoomed(ground, residual, one).scan
-        if closer.preference >= least and closer.evidence >= ground.threshold - RIVAL:
-            rivals.append(closer)
-    rivals.sort(key=lambda one: -one.preference)
-    return replace(mine, rivals=tuple(rivals))

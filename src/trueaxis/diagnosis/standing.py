@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trueaxis.diagnosis.refit import Fitted
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.signature import Readings
 from trueaxis.diagnosis.signatures import parameter_signature

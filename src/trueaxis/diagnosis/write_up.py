@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.diagnosis.absences import absences
 from trueaxis.diagnosis.audit import Audit
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.gain import Left, fit, predicted
 from trueaxis.diagnosis.instruments import Off
 from trueaxis.diagnosis.judgement import Judged
@@ -16,7 +17,6 @@ from trueaxis.diagnosis.measured import measured_with
 from trueaxis.diagnosis.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.prospect import Prospect
-from trueaxis.diagnosis.refit import Fitted
 from trueaxis.diagnosis.result import BoolArray, Cause, Circle, Diagnosis, Estimate, Evidence, Gain, Residuals, Stage
 from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import Found, Ground
@@ -105,7 +105,9 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         null = outcome.null
         alone = fit(null.base, null.whitening, null.values, others, ~outcome.held)
         without = predicted(alone, null.whitening, null.values, outcome.held).stage().extended
-    rivals = tuple(_evidence(one) for one in found.rivals)
+    rivals = tuple(
+        replace(_evidence(one.scan), parameters=_parameters(one.fitted.kind, one.fitted)) for one in found.rivals
+    )
     return Cause(
         effect=fitted.effect,
         parameters=_parameters(fitted.kind, fitted),

@@ -1,7 +1,7 @@
 """Where the parameters that a term is not linear in are searched: one set of grids, for a fit and for a diagnosis."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -13,11 +13,13 @@ from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.context import Context
 
 PITCH_MM = 6.0  # shortest pitch on linear axes so long that it is the shorter: screws are no coarser for being long
+SHORTEST_MM = 2.0  # pitch of the finest screws: an alias of any longer one may be taken for another
 FEWEST_PERIODS = 2.0
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
 # what a spike at a reversal dies away over: from a two-thousandth to a twentieth of what passes until the next
 WAYS = 6
 BETWEEN = 9  # points of the finer grid between the neighbours of a point
+ZOOMS = 2  # a peak of a period is then known to a thirtieth of its width, which costs it a thousandth of its height
 
 Point = Mapping[str, float]
 
@@ -26,7 +28,7 @@ Point = Mapping[str, float]
 class Fineness:
     """How many points a grid has.
 
-    periods: per range of the axis at the shortest pitch (PITCH_MM, where that is shorter); per_period: steps of
+    periods: per range of the axis at the shortest pitch (`pitch`, mm, where that is shorter); per_period: steps of
     frequency, per 1/range; moments: of a jump, at most about so many; lasting: readings, at least, before and after it.
     """
 
@@ -34,6 +36,7 @@ class Fineness:
     per_period: int
     moments: int
     lasting: int
+    pitch: float = PITCH_MM
 
 
 # Of an effect that the spec names: it is there, and the next frequency is still within a tenth of the power.
@@ -41,6 +44,8 @@ OF_FIT = Fineness(periods=150, per_period=3, moments=400, lasting=2)
 # Of every cause that there may be: what lies between is looked at where the evidence is best. What lasts for a few
 # readings at either end of a run is no jump.
 OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=5)
+# Of periods that one that was found may be an alias of.
+OF_RIVALS = replace(OF_DIAGNOSIS, pitch=SHORTEST_MM)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -129,7 +134,7 @@ def _pitches(covered: Covered, fineness: Fineness) -> list[float]:
     span = covered.travel
     if span == 0.0:
         return [1.0]
-    most = max(fineness.periods, round(span / PITCH_MM)) if covered.linear else fineness.periods
+    most = max(fineness.periods, round(span / fineness.pitch)) if covered.linear else fineness.periods
     count = int((most - FEWEST_PERIODS) * fineness.per_period) + 1
     return [span / float(periods) for periods in np.linspace(FEWEST_PERIODS, most, count)]
 
