@@ -13,8 +13,9 @@ from trueaxis.diagnosis.audit import ISOLATION, Audit, audit
 from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.next_runs import Ahead, is_of_use, next_runs, separating_run
+from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
+from trueaxis.diagnosis.prospect import TIMES, Outlook, Prospect, inverse_roots, outlooks_of, prospect_of
 from trueaxis.diagnosis.result import Diagnosis, NoiseOf
 from trueaxis.diagnosis.separation import separation, told
 from trueaxis.diagnosis.signatures import signature_of
@@ -132,11 +133,10 @@ def test_no_run_tells_apart_what_is_one_displacement_of_tool_against_workpiece()
     mine, rival = (outlook(prospect, Effect(kind="drift", component=name)) for name in ("EXX", "EXY"))
     assert separation(prospect, mine, [rival]) is None
     kinds = prospect.ground.readings.model.machine.kinds
-    said = separating_run(
-        kinds, Ahead(Effect(kind="drift", component="EXX"), (Effect(kind="drift", component="EXY"),), 1e-8, None)
-    )
+    drifts = [Placed(Effect(kind="drift", component=name)) for name in ("EXX", "EXY")]
+    said = separating_run(kinds, Ahead(drifts[0], (drifts[1],), 1e-8, None))
     assert said is not None
-    assert (said.run, said.told, said.left) == ("", None, (Effect(kind="drift", component="EXY"),))
+    assert (said.run, said.told, said.left) == ("", None, (drifts[1],))
     assert said.broken_by == kinds["drift"].broken_by
 
 
@@ -144,11 +144,13 @@ def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
     prospect = ahead_in(field(WHOLE))
     mine, rival = (outlook(prospect, effect) for effect in PAIR)
     best, kinds = separation(prospect, mine, [rival]), prospect.ground.readings.model.machine.kinds
-    large, small = (separating_run(kinds, Ahead(PAIR[0], PAIR[1:], size, best)) for size in (1e-2, 1e-7))
+    large, small = (
+        separating_run(kinds, Ahead(Placed(PAIR[0]), (Placed(PAIR[1]),), size, best)) for size in (1e-2, 1e-7)
+    )
     assert large is not None
     assert small is not None
     assert "straightness in y" in large.run
-    assert (large.apart, large.left, large.needed) == (PAIR[1:], (), large.times)
+    assert (large.apart, large.left, large.needed) == ((Placed(PAIR[1]),), (), large.times)
     assert large.told is not None
     assert large.told.effect == PAIR[0]
     assert 1e-4 < large.told.with_run < 1e-3
@@ -166,7 +168,10 @@ def test_sizes_that_no_machine_has_and_runs_that_nobody_repeats_so_often_are_not
     assert not is_of_use(kind, mine, replace(best, after=ISOLATION * (0.5 / 6e-3) ** 2))
     nothing = Audit((), (), np.zeros((0, 0)))
     for size, count in ((1e-2, 1), (1e-7, 0)):
-        assert len(next_runs(prospect, nothing, (Ahead(PAIR[0], PAIR[1:], size, best),), (), ())) == count
+        assert (
+            len(next_runs(prospect, nothing, (Ahead(Placed(PAIR[0]), (Placed(PAIR[1]),), size, best),), (), ()))
+            == count
+        )
 
 
 def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() -> None:
@@ -212,7 +217,7 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
         NoiseOf(instrument="probe", white=SIGMA, correlated=0, correlation=0, settles=0, freedom=1e6, origin="given"),
     )
     assert next_runs(prospect, nothing, (), (), repeated) == ()
-    named = Ahead(Effect(kind="backlash", component="EXX"), (), 1e-3, None)
+    named = Ahead(Placed(Effect(kind="backlash", component="EXX")), (), 1e-3, None)
     assert next_runs(prospect, nothing, (named,), checks, ()) == ()
 
 

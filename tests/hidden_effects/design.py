@@ -6,9 +6,10 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Design:
     """lines: per axis; repeats: of each line, as runs of their own (X1-1, X1-2, ...) or, with one_run, in one run (X1);
-    targets: per line, irregular where jitter, by up to `off` mm where that is given; straightness: one line per axis and direction across; diagonals: of the
-    working volume; gauge: a probe on a step gauge along X, whose scale is beyond doubt; circles per plane: two
-    directions times the feeds; leave_out: no samples next to a reversal; temperature: `day`, `linear` or none.
+    targets: per line, irregular where jitter, by `off` mm at most where that is given; straightness: one line per axis
+    and direction across; diagonals: of the working volume; gauge: a probe on a step gauge along X, whose scale is
+    beyond doubt; circles per plane: two directions times the feeds; leave_out: no samples next to a reversal;
+    temperature: `day`, `linear` or none.
     """
 
     lines: int = 4

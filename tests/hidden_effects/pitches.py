@@ -1,8 +1,8 @@
 """Cyclic errors on plans drawn at random: python -m tests.hidden_effects.pitches FIRST COUNT
 
 One line of JSON a case on stdout, then how often the pitch was named alone and rightly, in a set that holds it, or
-wrongly, and how often values that are right were called stale beside it. Targets are even, nearly even or irregular, few
-or many; pitches have from 2 to 60 mm.
+wrongly, and how often values that are right were called stale beside it. Targets are even, nearly even or irregular,
+few or many; pitches have from 2 to 60 mm.
 """
 
 import json

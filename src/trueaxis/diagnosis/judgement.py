@@ -9,7 +9,7 @@ from trueaxis.diagnosis.amplitudes import amplitudes_of
 from trueaxis.diagnosis.checks import run_checks
 from trueaxis.diagnosis.contest import contest
 from trueaxis.diagnosis.fitted import Fitted
-from trueaxis.diagnosis.imperfection import imperfections
+from trueaxis.diagnosis.imperfection import beside_forms, imperfections
 from trueaxis.diagnosis.instruments import Off, instruments_off
 from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, what_is_free
@@ -17,7 +17,7 @@ from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
-from trueaxis.diagnosis.search import Ground, Search, whitened_columns, without
+from trueaxis.diagnosis.search import Ground, Search, search_of, without
 from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.diagnosis.structure import Check
 from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
@@ -77,12 +77,11 @@ def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence
     named, left = contest(ground, null, changes, signals)
     if named is None:
         return judged, left
-    projection = ground.base.extended(whitened_columns(ground, named.found.signature))
-    residual = projection.rest(ground.values)
-    checks = _checks(ground, projection, residual)
+    ground = beside_forms(ground, (*standing, named.cause))
+    search = replace(search_of(ground, (named.found,), judged.search.first), threshold=judged.search.threshold)
+    checks = _checks(ground, search.projection, search.residual)
     if any(one.fired for one in checks):
         return judged, changes
-    search = replace(judged.search, causes=(named.found,), projection=projection, residual=residual)
     return replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True), left
 
 

@@ -95,7 +95,7 @@ def _irregular(model: MachineModel, line: Line) -> Line | None:
     row = model.axes.index(line.axis)
     targets = np.unique(line.positions[row])
     steps = np.diff(targets)
-    if targets.size < 5 or float(np.ptp(steps)) > 0.2 * float(np.median(steps)):
+    if targets.size < 5 or float(np.ptp(steps)) > IRREGULAR * float(np.median(steps)):
         return None
     shift = IRREGULAR * float(np.median(steps)) * (2.0 * np.mod(GOLDEN * np.arange(targets.size), 1.0) - 1.0)
     shift[[0, -1]] = 0.0

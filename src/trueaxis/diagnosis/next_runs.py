@@ -9,8 +9,8 @@ import numpy as np
 from trueaxis.diagnosis.audit import Audit, size_of
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.noise import REPEATS, STATED
-from trueaxis.diagnosis.of_plan import Limit, NextRun, Separating, Told
-from trueaxis.diagnosis.prospect import Outlook, Placed, Prospect, outlooks_of
+from trueaxis.diagnosis.of_plan import Limit, NextRun, Placed, Separating, Told
+from trueaxis.diagnosis.prospect import Outlook, Prospect, outlooks_of
 from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.search import Found
 from trueaxis.diagnosis.separation import Separation, isolable, largest_reading, separation
@@ -29,36 +29,36 @@ MOST_TAKEN = 10  # times that a run is taken: beyond it nobody does
 class Ahead:
     """A cause, its rivals, and the run that tells them apart; size: its amplitude; None: no run of the menu does."""
 
-    effect: Effect
-    rivals: tuple[Effect, ...]
+    cause: Placed
+    rivals: tuple[Placed, ...]
     size: float
     separation: Separation | None
 
 
 def ahead_of(prospect: Prospect, found: Found, size: float) -> Ahead:
     """What to do about the rivals of a cause; cheap where it has none."""
-    rivals = tuple(one.scan.effect for one in found.rivals)
+    cause, *rivals = (Placed(one.effect, one.point) for one in (found.scan, *(each.scan for each in found.rivals)))
     best = None
     if rivals:
-        placed = [Placed(one.effect, one.point) for one in (found.scan, *(each.scan for each in found.rivals))]
-        mine, *others = outlooks_of(prospect, placed)
+        mine, *others = outlooks_of(prospect, [cause, *rivals])
         best = separation(prospect, mine, others)
-    return Ahead(found.scan.effect, rivals, size, best)
+    return Ahead(cause, tuple(rivals), size, best)
 
 
 def separating_run(kinds: Mapping[str, Kind], ahead: Ahead) -> Separating | None:
     """The run, from which size on it tells the cause from its rivals, and what it leaves open; None without a rival."""
     if not ahead.rivals:
         return None
-    best, kind = ahead.separation, kinds[ahead.effect.kind]
+    best, kind = ahead.separation, kinds[ahead.cause.effect.kind]
     if best is None:
-        return Separating(left=ahead.rivals, broken_by=kind.broken_by)
+        return Separating(cause=ahead.cause, left=ahead.rivals, broken_by=kind.broken_by)
     return Separating(
+        cause=ahead.cause,
         run=best.further.what,
         times=best.times,
         apart=tuple(ahead.rivals[place] for place in best.told),
         left=tuple(one for place, one in enumerate(ahead.rivals) if place not in best.told),
-        told=_told(kind, ahead.effect, best),
+        told=_told(kind, ahead.cause.effect, best),
         needed=_needed(kind, best, ahead.size),
     )
 
@@ -78,11 +78,11 @@ def next_runs(
 
 def _for_causes(kinds: Mapping[str, Kind], ahead: Sequence[Ahead]) -> Iterator[NextRun]:
     for one in ahead:
-        best = one.separation
-        if best is not None and _needed(kinds[one.effect.kind], best, one.size) <= MOST_TAKEN:
+        best, effect = one.separation, one.cause.effect
+        if best is not None and _needed(kinds[effect.kind], best, one.size) <= MOST_TAKEN:
             apart = tuple(one.rivals[place] for place in best.told)
-            told = _told(kinds[one.effect.kind], one.effect, best)
-            yield NextRun(run=best.further.what, times=best.times, pairs=((one.effect, apart),), told=told)
+            told = _told(kinds[effect.kind], effect, best)
+            yield NextRun(run=best.further.what, times=best.times, pairs=((one.cause, apart),), told=told)
 
 
 def _for_structure(checks: Sequence[Check]) -> Iterator[NextRun]:
@@ -116,7 +116,7 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
             by_run.setdefault((best.further.what, best.times), []).append((one, best))
     found = []
     for (run, times), members in sorted(by_run.items(), key=lambda item: -len(item[1]))[:MOST]:
-        pairs = tuple((one.effect, (one.nearest,)) for one, _ in members[:MOST_NAMED] if one.nearest)
+        pairs = tuple((Placed(one.effect), (Placed(one.nearest),)) for one, _ in members[:MOST_NAMED] if one.nearest)
         first, best = members[0]
         told = _told(kinds[first.effect.kind], first.effect, best)
         found.append(NextRun(run=run, times=times, pairs=pairs, told=told))

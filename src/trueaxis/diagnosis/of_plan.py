@@ -39,6 +39,14 @@ class Limit:
 
 
 @dataclass(frozen=True, slots=True)
+class Placed:
+    """A candidate at one point of its grid: values of the parameters that are searched, such as a pitch."""
+
+    effect: Effect
+    point: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
 class Told:
     """From which amplitude on an effect is told from others: with a further run, and without it; infinite: never."""
 
@@ -55,10 +63,11 @@ class Separating:
     often for the size found; broken_by: what would in general, as the kind has it.
     """
 
+    cause: Placed
     run: str = ""
     times: int = 1
-    apart: tuple[Effect, ...] = ()
-    left: tuple[Effect, ...] = ()
+    apart: tuple[Placed, ...] = ()
+    left: tuple[Placed, ...] = ()
     told: Told | None = None
     needed: int = 1
     broken_by: str = ""
@@ -73,7 +82,7 @@ class NextRun:
 
     run: str = ""
     times: int = 1
-    pairs: tuple[tuple[Effect, tuple[Effect, ...]], ...] = ()
+    pairs: tuple[tuple[Placed, tuple[Placed, ...]], ...] = ()
     told: Told | None = None
     check: Check | None = None
     instrument: str = ""

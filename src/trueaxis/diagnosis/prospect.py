@@ -21,6 +21,7 @@ from scipy.linalg import svd
 from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.by_run import of_basis
 from trueaxis.diagnosis.menu import FurtherRun, menu
+from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.projection import Projection, decomposed
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import Rows
@@ -28,7 +29,6 @@ from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Readings, readings_of
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
-from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measurement.context import context_of
@@ -37,14 +37,6 @@ from trueaxis.model.context import Context
 PROBE_MM = 5e-4  # standard deviation of a probe on a step gauge, where the readings do not tell it
 USUAL_MM = 3e-4  # the same of laser and ball bar
 TIMES = (1, 3)  # how often a run is taken
-
-
-@dataclass(frozen=True, slots=True)
-class Placed:
-    """A candidate at one point of its grid."""
-
-    effect: Effect
-    point: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,17 +17,17 @@ HALVINGS = 12
 CONVERGED = 1e-6  # of a standard uncertainty
 
 
-def refit(ground: Ground, causes: Sequence[Found], start: Sequence[Fitted] = ()) -> tuple[Fitted, ...]:
-    """Values and standard uncertainties of all parameters, base projected out. start: as they were fitted before."""
+def refit(ground: Ground, causes: Sequence[Found], steps: int = STEPS) -> tuple[Fitted, ...]:
+    """Values and standard uncertainties of all parameters, base projected out. steps: at most."""
     if not causes:
         return ()
     kinds = [one.signature.kind for one in causes]
     effects = [one.scan.effect for one in causes]
-    values = [one.values for one in start] or [_start(one) for one in causes]
+    values = [start_of(one) for one in causes]
     ends = np.cumsum([0, *(one.size for one in values)])
     within = [_bounds(one, value, ground.readings) for one, value in zip(causes, values, strict=True)]
     covariance = np.zeros((int(ends[-1]), int(ends[-1])))
-    for _ in range(STEPS):
+    for _ in range(steps):
         signals, jacobian = _linearised(ground.readings, effects, values)
         left = ground.wide.rest(ground.whitening(jacobian))
         residual = ground.wide.rest(ground.values - ground.whitening(signals.sum(axis=1)))
@@ -114,7 +114,8 @@ def _linearised(
     return np.stack([signal for signal, _ in pairs], axis=1), np.hstack([jacobian for _, jacobian in pairs])
 
 
-def _start(one: Found) -> FloatArray:
+def start_of(one: Found) -> FloatArray:
+    """(m,): the parameters of a cause as it was found, in the order of its kind."""
     kind, scan = one.signature.kind, one.scan
     found = dict(scan.point)
     linear = [each.name for each in kind.parameters if each.role == "linear"]

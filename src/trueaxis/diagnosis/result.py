@@ -78,9 +78,10 @@ class Cause:
     """One named cause, or the best of a set that the readings cannot tell apart.
 
     rms: of its signature over the readings, mm; held_out_gain: share by which it lowers the held-out RMS, noise
-    included; rivals: what explains the readings about as well: other effects, or the same of another period; homogeneous_p: of the test that all groups have one
-    amplitude; remainder: whether structure is left beside it; formula: its term in LaTeX, values not filled in;
-    separating: the further run that would tell it from its rivals, None where it has none.
+    included; rivals: what explains the readings about as well: other effects, or the same of another period;
+    homogeneous_p: of the test that all groups have one amplitude; remainder: whether structure is left beside it;
+    formula: its term in LaTeX, values not filled in; separating: the further run that would tell it from its rivals,
+    None where it has none.
     """
 
     effect: Effect

@@ -1,8 +1,8 @@
 """What the readings cannot tell from a cause: other effects, and other periods of the same.
 
-At targets that are nearly even a period and its aliases (one over the period, plus or minus one over the distance of the
-targets) do nearly the same. Every peak of the grid is fitted, with what its own form may lack, and the likeliest is the
-cause. Those that are about as likely are its rivals.
+At targets that are nearly even a period and its aliases (one over the period, plus or minus one over the distance of
+targets) do nearly the same. Every peak of the grid is fitted, with what its own form may lack, and judged by the
+likelihood: those that are about as likely as the likeliest are rivals.
 """
 
 from collections.abc import Sequence
@@ -14,9 +14,9 @@ from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.prepared import prepared
-from trueaxis.diagnosis.refit import refit
+from trueaxis.diagnosis.refit import refit, start_of
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.scan import HELD, LN10, peaks_of, statistics
+from trueaxis.diagnosis.scan import HELD, LN10, Residual, peaks_of, statistics
 from trueaxis.diagnosis.search import (
     RIVAL,
     WORTH_ZOOMING,
@@ -31,20 +31,21 @@ from trueaxis.diagnosis.search import (
     with_tries,
     zoomed,
 )
-from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.signature import Signature
+from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Kind
-from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS
+from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS, ZOOMS, Point, finer
 
 ALIKE = 2.0 * RIVAL * LN10  # of the sums of squares, within which another period remains in the running
 FORMED = 0.75  # share of the most that is explained, from which another period may do as well with what forms may lack
-SAME = 0.5  # periods over the range of the axis, by which two peaks differ at least: a peak is two of them wide
+CLOSE = 4  # steps from a peak that is known to a thirtieth of its width: each leaves the square of what is wrong
+SAME = 0.25  # periods over the range of the axis, by which two peaks differ at least
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Period:
     """A period of a cause. squares: minus twice the logarithm of its likelihood, but for what all have in common."""
 
-    found: Found
     fitted: Fitted
     squares: float
 
@@ -65,13 +66,14 @@ def with_best_periods(
         near = sorted(periods, key=lambda one: one.squares)
         near = [one for one in near if one.squares < near[0].squares + ALIKE]
         best = periods[0] if periods[0] in near else near[0]  # of those alike that which was found
-        rivals = tuple(Rival(one.found.scan, one.fitted) for one in near if one is not best)
+        rivals = tuple(Rival(_at(ground, every, index, one.fitted).scan, one.fitted) for one in near if one is not best)
+        fitted[best.fitted.effect] = best.fitted
         if best is not periods[0]:
             changed = True
-            every[index], fitted[best.fitted.effect] = best.found, best.fitted
+            every[index] = _at(ground, every, index, best.fitted)
         every[index] = replace(every[index], rivals=rivals)
     if not changed:
-        return ground, replace(found, causes=tuple(every)), causes
+        return ground, replace(found, causes=tuple(every)), tuple(fitted[one.effect] for one in causes)
     ground = beside_forms(ground, [*standing, *fitted.values()])
     found = search_of(ground, every, found.first)
     return ground, found, refit(ground, found.causes)
@@ -96,7 +98,7 @@ def with_rivals(ground: Ground, found: Search) -> Search:
 
 def _with_rivals(ground: Ground, found: Search, index: int) -> Found:
     mine, others = found.causes[index], [*found.causes[:index], *found.causes[index + 1 :]]
-    residual = ground.left(beside_causes(ground, others))
+    residual = _beside_others(ground, found.causes, index)
     taken = {one.scan.effect for one in found.causes}
     if others:
         scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
@@ -120,40 +122,68 @@ def _periods(ground: Ground, causes: Sequence[Found], index: int, known: Sequenc
     known: the other causes and effects of the spec.
     """
     mine, others = causes[index], [*causes[:index], *causes[index + 1 :]]
-    effect, name = mine.scan.effect, _period_of(mine.signature.kind)
-    points = grid_of(mine.signature.kind, effect, ground.readings.rows, OF_RIVALS)
+    name = _period_of(mine.signature.kind)
+    points = grid_of(mine.signature.kind, mine.scan.effect, ground.readings.rows, OF_RIVALS)
     if name is None or len(points) == 1:
         return []
-    place = [one.name for one in mine.signature.kind.parameters].index(name)
-    residual = ground.left(beside_causes(ground, others))
-    signature = signature_of(ground.readings, effect, points)
-    statistic, amplitudes = statistics(signature, prepared(signature, ground.inner), residual)
+    span, found = FEWEST_PERIODS * points[0][name], list[_Period]()
+    for one in (mine, *_peaks(ground, causes, index, points)):
+        values = start_of(one)
+        signal, _ = parameter_signature(ground.readings, one.scan.effect, values)
+        start = Fitted(
+            effect=one.scan.effect,
+            kind=one.signature.kind,
+            values=values,
+            u=np.full_like(values, np.nan),
+            signal=signal,
+        )
+        beside = beside_forms(ground, (*known, start))
+        both = refit(beside, [one, *others], CLOSE)
+        frequency = span / _parameter(both[0], name)
+        if any(abs(span / _parameter(each.fitted, name) - frequency) < SAME for each in found):
+            continue
+        rest = beside.wide.rest(ground.values - ground.whitening(np.sum([each.signal for each in both], axis=0)))
+        found.append(_Period(both[0], float(rest @ rest) - 2.0 * float(np.log1p(-beside.wide.shrink).sum())))
+    return found
 
-    span = FEWEST_PERIODS * points[0][name]
 
-    def at_its_best(one: Found) -> tuple[Found, tuple[Fitted, ...]]:
-        fitted = refit(ground, [one, *others])
-        point = {name: float(fitted[0].values[place])}
-        scan = with_tries(scan_at(ground, residual, effect, (point,)), mine.scan.tries)
-        return Found(scan, signature_of(ground.readings, effect, (point,))), fitted
+def _peaks(ground: Ground, causes: Sequence[Found], index: int, points: Sequence[Point]) -> list[Found]:
+    """A cause at every peak of a grid at which it explains nearly as much as at any other."""
+    mine = causes[index]
+    residual = _beside_others(ground, causes, index)
 
-    def with_its_form(one: Found, fitted: tuple[Fitted, ...]) -> _Period:
-        beside = beside_forms(ground, (*known, fitted[0]))
-        fitted = refit(beside, [one, *others], fitted)
-        rest = beside.wide.rest(ground.values - ground.whitening(np.sum([each.signal for each in fitted], axis=0)))
-        return _Period(one, fitted[0], float(rest @ rest) - 2.0 * float(np.log1p(-beside.wide.shrink).sum()))
+    def scan(points: Sequence[Point]) -> tuple[Signature, FloatArray, FloatArray]:
+        signature = signature_of(ground.readings, mine.scan.effect, tuple(points))
+        return signature, *statistics(signature, prepared(signature, ground.inner), residual)
 
-    found = [at_its_best(mine)]
-    for peak in peaks_of(statistic, HELD * FORMED * float(statistic.max())):
-        scan = replace(mine.scan, point=points[peak], amplitudes=amplitudes[peak])
-        one = at_its_best(Found(scan, signature_of(ground.readings, effect, (scan.point,))))
-        frequencies = [span / each.scan.point[name] for each, _ in (one, *found)]
-        if all(abs(each - frequencies[0]) >= SAME for each in frequencies[1:]):
-            found.append(one)
-    most = max(one.scan.statistic for one, _ in found)
+    _, statistic, _ = scan(points)
+    peaks = [(tuple(points), place) for place in peaks_of(statistic, HELD * FORMED * float(statistic.max()))]
+    for _ in range(ZOOMS):  # all at once
+        grids = [finer(*one) for one in peaks]
+        signature, statistic, amplitudes = scan([point for grid in grids for point in grid])
+        highest = np.argmax(statistic.reshape(len(grids), -1), axis=1)
+        peaks = list(zip(grids, highest.tolist(), strict=True))
+    each = np.arange(len(peaks)) * len(peaks[0][0]) + highest
     return [
-        with_its_form(one, fitted) for one, fitted in found if one is found[0][0] or one.scan.statistic >= FORMED * most
+        Found(replace(mine.scan, point=signature.points[k], amplitudes=amplitudes[k]), mine.signature)
+        for k in each[statistic[each] >= FORMED * float(statistic.max())].tolist()
     ]
+
+
+def _at(ground: Ground, causes: Sequence[Found], index: int, fitted: Fitted) -> Found:
+    """A cause at the place where it was fitted."""
+    effect, tries = fitted.effect, causes[index].scan.tries
+    point = {name: _parameter(fitted, name) for name in causes[index].scan.point}
+    scan = scan_at(ground, _beside_others(ground, causes, index), effect, (point,))
+    return Found(with_tries(scan, tries), signature_of(ground.readings, effect, (point,)))
+
+
+def _beside_others(ground: Ground, causes: Sequence[Found], index: int) -> Residual:
+    return ground.left(beside_causes(ground, [*causes[:index], *causes[index + 1 :]]))
+
+
+def _parameter(fitted: Fitted, name: str) -> float:
+    return float(fitted.values[[one.name for one in fitted.kind.parameters].index(name)])
 
 
 def _period_of(kind: Kind) -> str | None:

@@ -45,7 +45,7 @@ OF_FIT = Fineness(periods=150, per_period=3, moments=400, lasting=2)
 # readings at either end of a run is no jump.
 OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=5)
 # Of periods that one that was found may be an alias of.
-OF_RIVALS = replace(OF_DIAGNOSIS, pitch=SHORTEST_MM)
+OF_RIVALS = replace(OF_DIAGNOSIS, per_period=4, pitch=SHORTEST_MM)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -7,15 +7,21 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from trueaxis.diagnosis.of_plan import Absence, NextRun, Separating, Told
+from trueaxis.diagnosis.of_plan import Absence, NextRun, Placed, Separating, Told
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
-from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look
-from trueaxis.reporting.diagnosis.words import enumerated, held_out_warning, largest_structures, noise_origin
+from trueaxis.reporting.diagnosis.words import (
+    alternatives,
+    enumerated,
+    held_out_warning,
+    largest_structures,
+    noise_origin,
+    period,
+    shortened,
+)
 
 DIGITS = 2  # of sizes that are told apart
-MOST_NAMED = 3
 _INSTRUMENTS = {"ballbar": "a ball bar", "laser": "a laser"}
 
 
@@ -57,7 +63,7 @@ def _proposal(one: NextRun) -> Proposal:
     if one.told is None:
         run, purpose = f"every run of the {one.instrument} three times", f"know the noise of the {one.instrument}"
         return Proposal(run, purpose, "noise from repeats, which no effect can be mistaken for")
-    pairs = [f"{effect.label} from {_labels(others)}" for effect, others in one.pairs]
+    pairs = [f"{_label(effect, others)} from {_labels(effect, others)}" for effect, others in one.pairs]
     return Proposal(_times(one.run, one.times), f"separate {'; also '.join(pairs)}", _smallest(one.told))
 
 
@@ -65,12 +71,14 @@ def separating_run(separating: Separating) -> str:
     """The run that tells a cause from its rivals, from which size on, and what it leaves open."""
     if separating.told is None:
         other = f"; what does: {separating.broken_by}" if separating.broken_by else ""
-        return f"none of the runs considered separates it from {_labels(separating.left)}{other}"
-    text = f"{_times(separating.run, separating.times)}, separates it from {_labels(separating.apart)}"
-    text += f": {_smallest(separating.told)}"
+        return f"none of the runs considered separates it from {_labels(separating.cause, separating.left)}{other}"
+    apart = _labels(separating.cause, separating.apart)
+    text = f"{_times(separating.run, separating.times)}, separates it from {apart}: {_smallest(separating.told)}"
     if separating.needed > separating.times:
         text += f"; for the size found it has to be taken about {separating.needed} times"
-    return text + (f"; {_labels(separating.left)} cannot be excluded by it" if separating.left else "")
+    return text + (
+        f"; {_labels(separating.cause, separating.left)} cannot be excluded by it" if separating.left else ""
+    )
 
 
 def absences(diagnosis: Diagnosis) -> tuple[str, ...]:
@@ -120,8 +128,7 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
         yield held_out_warning(diagnosis.gain)
     for cause in diagnosis.causes:
         if cause.rivals:
-            rivals = _labels([rival.effect for rival in cause.rivals])
-            yield f"{cause.effect.label} and {rivals} predict the same readings"
+            yield f"{enumerated(alternatives(cause))} predict the same readings"
     if diagnosis.outliers:
         count = len(diagnosis.outliers)
         yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
@@ -143,8 +150,12 @@ def _times(run: str, times: int) -> str:
     return run + (f", {times} times" if times > 1 else "")
 
 
-def _labels(effects: Sequence[Effect]) -> str:
-    labels = [one.label for one in effects]
-    if len(labels) > MOST_NAMED:
-        labels = [*labels[:MOST_NAMED], f"{len(labels) - MOST_NAMED} more"]
-    return enumerated(labels)
+def _label(one: Placed, others: Sequence[Placed]) -> str:
+    """With its period where another has no other name."""
+    return one.effect.label + (f" of {period(one)}" if any(each.effect == one.effect for each in others) else "")
+
+
+def _labels(one: Placed, others: Sequence[Placed]) -> str:
+    """What one is to be told from: other effects, or the same of other periods."""
+    labels = [period(each) if each.effect == one.effect else each.effect.label for each in others]
+    return enumerated(shortened(labels))

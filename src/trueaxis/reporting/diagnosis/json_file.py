@@ -2,13 +2,14 @@
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
 from trueaxis.diagnosis.of_plan import Limit
-from trueaxis.diagnosis.result import Cause, Circle, Diagnosis, Evidence, GainOfAngles, NoiseOf, Stage, Stale
+from trueaxis.diagnosis.result import Cause, Circle, Diagnosis, Estimate, Evidence, GainOfAngles, NoiseOf, Stage, Stale
 from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.instrument_kinds import small_unit
@@ -119,7 +120,7 @@ def _check(one: Check) -> dict[str, Any]:
 def _cause(one: Cause) -> dict[str, Any]:
     return {
         **_effect(one.effect),
-        "parameters": {p.name: {"value": p.value, "u": p.u, "unit": p.unit} for p in one.parameters},
+        "parameters": _parameters(one.parameters),
         "evidence": {
             "p_value": one.p_value,
             "held_out_gain": one.held_out_gain,
@@ -127,13 +128,19 @@ def _cause(one: Cause) -> dict[str, Any]:
             "rms_um": _um(one.rms),
             "homogeneous_p": one.homogeneous_p,
         },
-        "cannot_be_told_from": [_evidence(rival) for rival in one.rivals],
+        "cannot_be_told_from": [
+            {**_evidence(rival), "parameters": _parameters(rival.parameters)} for rival in one.rivals
+        ],
         "separating": "" if one.separating is None else separating_run(one.separating),
         "remainder": one.remainder,
         "sentence": one.sentence,
         "formula": one.formula,
         "amplitudes": [{"group": at.group, "value": at.value, "u": at.u} for at in one.amplitudes],
     }
+
+
+def _parameters(parameters: Sequence[Estimate]) -> dict[str, Any]:
+    return {one.name: {"value": one.value, "u": one.u, "unit": one.unit} for one in parameters}
 
 
 def _effect(effect: Effect) -> dict[str, Any]:

@@ -15,6 +15,8 @@ from trueaxis.reporting.diagnosis.words import (
     largest_structures,
     misfit,
     predicted_scatter,
+    rival_title,
+    shortened,
     stale_change,
 )
 
@@ -82,7 +84,7 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
         f"held-out RMS lower by {percent(cause.held_out_gain)}"
     )
     if cause.rivals:
-        yield f"  cannot be told from: {', '.join(effect_title(rival.effect) for rival in cause.rivals)}"
+        yield f"  cannot be told from: {', '.join(shortened([rival_title(cause, one) for one in cause.rivals]))}"
     if cause.separating is not None:
         yield f"  what would tell: {separating_run(cause.separating)}"
     if cause.remainder:

@@ -4,7 +4,8 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, Stale, Verdict
+from trueaxis.diagnosis.of_plan import Placed
+from trueaxis.diagnosis.result import Cause, Diagnosis, Evidence, Gain, Stale, Verdict
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
@@ -21,6 +22,8 @@ TITLES: dict[Verdict, str] = {
 }
 MOST_STRUCTURES = 5  # named in a line
 MOST_MISFITS = 5
+MOST_ALTERNATIVES = 4  # to a cause that are named in a line
+PERIOD = "pitch"  # the parameter by which rivals of the same effect differ
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
 ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
 
@@ -57,6 +60,37 @@ def size_of(cause: Cause) -> str:
     return f"{first.name} {with_expanded(first.value, first.u, first.unit)}"
 
 
+def period(one: Placed) -> str:
+    """`21.09 mm`: that of a candidate."""
+    return ", ".join(f"{written(value, '.4g')}{NBSP}{one.effect.error.axis_unit}" for value in one.point.values())
+
+
+def shortened(words: Sequence[str], most: int = MOST_ALTERNATIVES) -> list[str]:
+    """The first of many, and how many more."""
+    return [*words[:most], f"{len(words) - most} more"] if len(words) > most + 1 else [*words]
+
+
+def alternatives(cause: Cause) -> list[str]:
+    """A cause and its rivals: `Cyclic in EXX of pitch 16.00 mm or 21.09 mm`, `Backlash in EXX`."""
+    same = [one for one in cause.rivals if one.effect == cause.effect]
+    others = [effect_title(one.effect) for one in cause.rivals if one.effect != cause.effect]
+    title = effect_title(cause.effect)
+    if same:
+        title += f" of {PERIOD} {enumerated(shortened([_period_of(one) for one in (cause, *same)]), 'or')}"
+    return [title, *shortened(others)]
+
+
+def rival_title(cause: Cause, rival: Evidence) -> str:
+    """Of another effect its name, of the same its period."""
+    return effect_title(rival.effect) if rival.effect != cause.effect else f"{PERIOD}{NBSP}{_period_of(rival)}"
+
+
+def _period_of(one: Cause | Evidence) -> str:
+    """`21.091 mm`: with as many digits as are known."""
+    (found,) = (each for each in one.parameters if each.name == PERIOD)
+    return with_expanded(found.value, found.u, found.unit).split(" ", 1)[0]
+
+
 def in_words(text: str, kinds: Iterable[str]) -> str:
     """A text made for a console: `cross_axis EXX with Y` becomes `cross axis in EXX with Y`, um the unit's own sign."""
     names = "|".join(sorted(map(re.escape, {*kinds, *BY_NAME}), key=len, reverse=True))
@@ -84,10 +118,7 @@ def headline(diagnosis: Diagnosis) -> str:
         case "explained":
             return f"{'Causes' if len(causes) > 1 else 'Cause'} found: {enumerated(causes)}."
         case "ambiguous":
-            sets = [
-                enumerated([effect_title(one.effect), *(effect_title(rival.effect) for rival in one.rivals)], "or")
-                for one in diagnosis.causes
-            ]
+            sets = [enumerated(alternatives(one), "or") for one in diagnosis.causes]
             return f"{'; '.join(sets)}: these readings cannot tell which."
         case "unexplained_structure":
             return "The residuals are not noise, and no known effect explains them: no cause is named."
