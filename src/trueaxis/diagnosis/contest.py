@@ -18,6 +18,7 @@ from trueaxis.diagnosis.result import FloatArray, Stale
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
 from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, best_of, scan_all, search_of
 from trueaxis.diagnosis.separation import APART
+from trueaxis.diagnosis.signatures import directions_of
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.verdict import size_is_significant
 
@@ -54,7 +55,7 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     (best,) = with_rivals(tight, found).causes
     others = [one.fitted for one in best.rivals if one.fitted.effect != cause.effect]
     besides = (*imperfections(tight.readings, cause), *of_rivals((best,), (cause,)))
-    left = stale_values(null, (*known, cause.signal), besides, tight.freedom)
+    left = stale_values(null, (*known, *directions_of(tight.readings, cause)), besides, tight.freedom)
     tried = [(cause, left), *((one, _left(tight, null, one, known)) for one in others[: MOST - 1])]
     # an effect that aliases to a slow curve at targets of one distance has any size
     vanishes = tuple(one.effect for one, its in tried if not its.stale and size_is_significant(one))
@@ -76,4 +77,4 @@ def _imitates(null: Null, free: Projection, stale: Stale, cause: Fitted) -> bool
 def _left(tight: Ground, null: Null, cause: Fitted, known: Sequence[FloatArray]) -> Changes:
     """What is stale beside an effect."""
     besides = tuple(imperfections(tight.readings, cause))
-    return stale_values(null, (*known, cause.signal), besides, tight.freedom)
+    return stale_values(null, (*known, *directions_of(tight.readings, cause)), besides, tight.freedom)

@@ -18,6 +18,7 @@ from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
 from trueaxis.diagnosis.search import Ground, Search, search_of, without
+from trueaxis.diagnosis.signatures import directions_of
 from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.diagnosis.structure import Check
 from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
@@ -66,15 +67,15 @@ def without_names(ground: Ground, judged: Judged) -> Judged:
 def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]) -> tuple[Judged, Changes]:
     """Instruments that are off, and values given that are stale: or the effect that takes their place."""
     known = (*standing, *judged.causes)
-    signals = [one.signal for one in known]
-    besides = _besides(ground, judged, known)
-    off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
-    signals += [one.signal for one in off]
+    off = instruments_off(null, np.sum([*(one.signal for one in known), np.zeros(null.rows.size)], axis=0))
+    of_instruments = [one.signal for one in off]
+    # a phase or a period that is a little off leaves a curve
+    free = [column for one in known for column in directions_of(ground.readings, one)]
     judged = replace(judged, off=off)
-    changes = stale_values(null, signals, besides, ground.freedom)
+    changes = stale_values(null, [*free, *of_instruments], _besides(ground, judged, known), ground.freedom)
     if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
         return judged, changes
-    named, left = contest(ground, null, changes, signals)
+    named, left = contest(ground, null, changes, [*free, *of_instruments])
     if named is None:
         return judged, left
     ground = beside_forms(ground, (*standing, named.cause))

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.signature import Readings, Signature, Terms
@@ -99,6 +100,12 @@ def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) 
         return found[0], found[1:].T
     columns = (_of_point if kind.place == "point" else _of_location)(readings, effect)[:, 0]
     return columns @ values, columns
+
+
+def directions_of(readings: Readings, cause: Fitted) -> list[FloatArray]:
+    """(n,) each: by what the readings change with each parameter of a cause, where they do."""
+    _, derivatives = parameter_signature(readings, cause.effect, cause.values)
+    return [column for column in derivatives.T if column.any()]
 
 
 def basis_parameters(kind: Kind) -> tuple[dict[str, float], ...]:

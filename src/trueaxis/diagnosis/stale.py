@@ -74,8 +74,8 @@ class _Asked:
 def free_besides(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray]) -> Projection:
     """All that is no news but for the values given: unknowns of instruments, causes, what given values vary by.
 
-    causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one
-    standard deviation.
+    causes: (n,) each, by what readings change with parameters of causes, free in size; besides: (n,) each, mm, what
+    causes may do besides, one standard deviation.
     """
     base, white = null.base, null.whitening
     columns = base.columns.take(slice(base.of_machine, None))
