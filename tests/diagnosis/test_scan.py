@@ -15,7 +15,7 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis import prepared
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Prepared, inner_of
-from trueaxis.diagnosis.scan import Scanned, peaks_of, residual_of, scanned
+from trueaxis.diagnosis.scan import HELD, Scanned, peaks_of, residual_of, scanned
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
@@ -209,6 +209,6 @@ def test_every_peak_that_may_be_the_highest_between_the_points_of_the_grid_is_kn
     frequency = np.arange(41) * 0.5  # two steps a period, as the grid of pitches
     for offset in (0.0, 0.1, 0.25):
         true, alias = np.sinc(frequency - 9.0 - offset) ** 2, 0.97 * np.sinc(frequency - 15.5) ** 2
-        places = peaks_of(true + alias)
+        places = peaks_of(true + alias, HELD * float((true + alias).max()))
         assert {18, 31} <= set(places)
         assert len(places) == 2

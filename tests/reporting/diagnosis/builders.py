@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Separating, Told
+from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Placed, Separating, Told
 from trueaxis.diagnosis.result import (
     AmplitudeOf,
     Cause,
@@ -38,7 +38,7 @@ CROSS = Effect(kind="cross_axis", component="EXX", axis="Y")
 OFFSET = Effect(kind="point_offset", runs=("Y-1",), end="target")
 CIRCLES_AGAIN = "circles in XY at another feed, both directions"
 APART = Told(BACKLASH, "mm", 0.4e-3, 9e-3)
-SEPARATING = Separating(run=CIRCLES_AGAIN, apart=(LAG,), told=APART)
+SEPARATING = Separating(cause=Placed(BACKLASH), run=CIRCLES_AGAIN, apart=(Placed(LAG),), told=APART)
 NOISE = 0.0003
 WIDTH = 0.0061
 
@@ -301,7 +301,7 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
             Circle(run="XY-500-cw", measured=0.0119, given=0.0099, refitted=0.0097, extended=0.0015),
         ),
         recalibration_p=1e-8,
-        next_runs=(NextRun(run=CIRCLES_AGAIN, pairs=((BACKLASH, (LAG,)),), told=APART),),
+        next_runs=(NextRun(run=CIRCLES_AGAIN, pairs=((Placed(BACKLASH), (Placed(LAG),)),), told=APART),),
         absences=(Absence(lack="column", place="temperature_c", kinds=("thermal_offset",), empty=(3, 9)),),
         second_order=SecondOrder(2e-5, seen=False),
         residuals=data,

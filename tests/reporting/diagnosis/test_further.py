@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.of_plan import NextRun, Separating
+from trueaxis.diagnosis.of_plan import NextRun, Placed, Separating
 from trueaxis.diagnosis.result import SecondOrder
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.reporting.diagnosis.further import Proposal, absences, proposals, separating_run, warnings
@@ -30,7 +30,10 @@ def test_each_run_is_proposed_once_and_nothing_where_there_is_nothing_to_measure
 
 
 def test_what_a_run_separates_and_from_which_size_on() -> None:
-    pairs = ((builders.BACKLASH, (builders.LAG,)), (builders.CYCLIC, (builders.CROSS,)))
+    pairs = (
+        (Placed(builders.BACKLASH), (Placed(builders.LAG),)),
+        (Placed(builders.CYCLIC), (Placed(builders.CROSS),)),
+    )
     (one,) = told(NextRun(run="a laser diagonal", times=3, pairs=pairs, told=replace(builders.APART, without=math.inf)))
     assert one.run == "a laser diagonal, 3 times"
     assert one.purpose == "separate backlash EXX from servo_lag EXX; also cyclic EYY from cross_axis EXX with Y"
@@ -41,19 +44,28 @@ def test_what_a_run_separates_and_from_which_size_on() -> None:
     ("separating", "sentence"),
     [
         (
-            replace(builders.SEPARATING, left=(builders.CYCLIC,), needed=7),
+            replace(builders.SEPARATING, left=(Placed(builders.CYCLIC),), needed=7),
             f"{builders.CIRCLES_AGAIN}, separates it from servo_lag EXX: smallest backlash EXX that is told apart: "
             "0.40 um with it, 9.0 um without it; for the size found it has to be taken about 7 times; "
             "cyclic EYY cannot be excluded by it",
         ),
         (
-            Separating(left=(builders.LAG,), broken_by="another feed"),
+            Separating(cause=Placed(builders.BACKLASH), left=(Placed(builders.LAG),), broken_by="another feed"),
             "none of the runs considered separates it from servo_lag EXX; what does: another feed",
         ),
     ],
 )
 def test_what_tells_a_cause_from_its_rivals(separating: Separating, sentence: str) -> None:
     assert ascii_only(separating_run(separating)) == sentence
+
+
+def test_rivals_of_the_same_effect_go_by_their_periods() -> None:
+    at = [Placed(builders.CYCLIC, {"pitch": pitch}) for pitch in (16.0, 21.091, 10.4, 31.01, 12.7, 8.8, 66.3)]
+    separating = Separating(cause=at[0], run="line Y1 again", apart=tuple(at[1:]), told=builders.APART)
+    said = ascii_only(separating_run(separating))
+    assert said.startswith("line Y1 again, separates it from 21.09 mm, 10.4 mm, 31.01 mm, 12.7 mm and 2 more: ")
+    (one,) = told(NextRun(run="line Y1 again", pairs=((at[0], (at[1],)),), told=builders.APART))
+    assert ascii_only(one.purpose) == "separate cyclic EYY of 16 mm from 21.09 mm"
 
 
 def test_a_noise_that_no_repeats_tell_is_warned_of() -> None:

@@ -338,7 +338,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         cause,
         effect=builders.LAG,
         parameters=(replace(cause.parameters[0], value=-builders.WIDTH),),
-        separating=replace(builders.SEPARATING, apart=(Effect(kind="thermal_offset", component="EXX"),)),
+        separating=replace(builders.SEPARATING, apart=(Placed(Effect(kind="thermal_offset", component="EXX")),)),
         held_out_gain=-0.04,
     )
     outlier = replace(diagnosis.outliers[0], deviation=-0.0042, z=-9.3)
