@@ -77,7 +77,7 @@ def _cause() -> Schema:
     rest = {
         "parameters": by_name(value),
         "evidence": evidence,
-        "cannot_be_told_from": array(_growing(_named(), ("effect",))),
+        "cannot_be_told_from": array(_growing(_named() | {"parameters": by_name(value)}, ("effect",))),
         "separating": said(_TEXT, "the run that would tell them apart"),
         "sentence": _TEXT,
     }
