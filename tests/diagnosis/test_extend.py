@@ -9,6 +9,7 @@ from tests.diagnosis.prepared import SMALL, prepared
 from tests.generator.dmu60p import PARAMETERS, coefficients, cubic_errors, dmu60p
 from tests.generator.machine import Generator, polynomial
 from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
 from tests.identification.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
@@ -194,3 +195,21 @@ def test_a_run_whose_sign_is_reversed_is_no_cause_of_its_instrument() -> None:
     cosine = Effect(kind="laser_cosine", runs=(run,))
     assert run in misfits(wrong, cosine)
     assert misfits(given.data, cosine) == ()
+
+
+def test_two_runs_whose_readings_are_swapped_are_told_beside_right_values() -> None:
+    """They looked like noise beside changes that are none; `identify` tells them, of the readings as they are."""
+    plan = Design(lines=3, repeats=2, targets=11, samples=24, feeds=(1000.0,))
+    given = prepared(Case(3, design=plan, given="exact", curvature=6.0))
+    readings, swapped = given.data.readings, ("X1-1", "X2-1")
+    one, other = (readings.run == readings.run_ids.index(name) for name in swapped)
+    values = readings.reading.copy()
+    values[one], values[other] = readings.reading[other], readings.reading[one]
+    found = diagnosis("no_discrepancy")
+    found = replace(found, residuals=replace(found.residuals, row=np.arange(values.size)))
+
+    def misfits(data: MeasuredData) -> tuple[str, ...]:
+        return identified_anew(given.model, data, found, lambda _: given.model).misfits
+
+    assert set(misfits(replace(given.data, readings=replace(readings, reading=values)))) == set(swapped)
+    assert misfits(given.data) == ()

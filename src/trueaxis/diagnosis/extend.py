@@ -74,9 +74,11 @@ class Anew:
 def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:
     """All errors of the machine beside the causes named.
 
-    Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where a cause
-    is not part of the extended machine, readings that it explains fit no values, which says nothing against them; but a
-    run of which an instrument is the cause may have been misread, which then explains all of it.
+    Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where values
+    given are nearly right, runs that contradict the others look like noisy ones beside changes that are none: so the
+    readings are judged as they are, too, as `identify` does. Where a cause is not part of the extended machine,
+    readings that it explains fit no values, which says nothing against them; but a run of which an instrument is the
+    cause may have been misread, which then explains all of it.
     """
     effects = named_effects(found)
     extended, named = extend(found), bool(effects)
@@ -90,10 +92,24 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
         return Anew()
     whole = len(effects) == len(found.causes)
     wrong = fit.runs if whole and fit is not None and fit.state == "misfit" else ()
+    if whole and not wrong:
+        wrong = _as_read(extended, model.errors, readings, start)
     of_instruments = frozenset(run for one in found.causes for run in one.effect.runs)
     if of_instruments:
         wrong = (*wrong, *(run for run in _misread(model, readings) if run in of_instruments))
     return Anew(values if named else None, errors, wrong)
+
+
+def _as_read(
+    model: MachineModel, given: ErrorValues, observed: Observations, start: Sequence[EffectValues]
+) -> tuple[str, ...]:
+    """Runs that no errors of the machine fit, by the readings as they are. start: of the effects of the machine."""
+    options = IdentifyOptions(known=_dimensions(model, given), estimation=EstimationOptions(start=tuple(start)))
+    try:
+        fit = identify_estimated(model, observed, options).values.fit
+    except (NotConvergedError, InputError):
+        return ()
+    return fit.runs if fit is not None and fit.state == "misfit" else ()
 
 
 def _misread(model: MachineModel, observed: Observations) -> tuple[str, ...]:

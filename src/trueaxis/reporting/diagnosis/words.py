@@ -76,7 +76,8 @@ def alternatives(cause: Cause) -> list[str]:
     others = [effect_title(one.effect) for one in cause.rivals if one.effect != cause.effect]
     title = effect_title(cause.effect)
     if same:
-        title += f" of {PERIOD} {enumerated(shortened([_period_of(one) for one in (cause, *same)]), 'or')}"
+        periods = [_period_of(cause), *map(_period_of, same)]
+        title += f" of {PERIOD} {enumerated(shortened(periods), 'or')}"
     return [title, *shortened(others)]
 
 
