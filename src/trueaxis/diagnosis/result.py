@@ -54,7 +54,9 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
-    """-log10(p m) of one candidate in one round of the search. parameters: of a rival, fitted in place of the cause."""
+    """-log10(p m) of one candidate in one round of the search. parameters: of a rival, fitted in place of the cause;
+    differs_by: of a rival of the same effect, the parameter that differs, a period.
+    """
 
     effect: Effect
     evidence: float
@@ -62,6 +64,7 @@ class Evidence:
     tries: float
     freedom: int
     parameters: tuple[Estimate, ...] = ()
+    differs_by: str = ""
 
 
 @dataclass(frozen=True, slots=True)

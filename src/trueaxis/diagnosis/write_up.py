@@ -19,7 +19,7 @@ from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.prospect import Prospect
 from trueaxis.diagnosis.result import BoolArray, Cause, Circle, Diagnosis, Estimate, Evidence, Gain, Residuals, Stage
 from trueaxis.diagnosis.scan import Scanned
-from trueaxis.diagnosis.search import Found, Ground
+from trueaxis.diagnosis.search import Found, Ground, Rival
 from trueaxis.diagnosis.signature import Readings
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.verdict import verdict_of
@@ -105,9 +105,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         null = outcome.null
         alone = fit(null.base, null.whitening, null.values, others, ~outcome.held)
         without = predicted(alone, null.whitening, null.values, outcome.held).stage().extended
-    rivals = tuple(
-        replace(_evidence(one.scan), parameters=_parameters(one.fitted.kind, one.fitted)) for one in found.rivals
-    )
+    rivals = tuple(_rival(fitted, one) for one in found.rivals)
     return Cause(
         effect=fitted.effect,
         parameters=_parameters(fitted.kind, fitted),
@@ -153,6 +151,12 @@ def _parameters(kind: Kind, found: Fitted | Off) -> tuple[Estimate, ...]:
 
 def _found(judged: Judged, fitted: Fitted) -> Found:
     return next(one for one in judged.search.causes if one.scan.effect == fitted.effect)
+
+
+def _rival(cause: Fitted, one: Rival) -> Evidence:
+    differs_by = next(iter(one.scan.point), "") if one.fitted.effect == cause.effect else ""
+    parameters = _parameters(one.fitted.kind, one.fitted)
+    return replace(_evidence(one.scan), parameters=parameters, differs_by=differs_by)
 
 
 def _evidence(one: Scanned) -> Evidence:

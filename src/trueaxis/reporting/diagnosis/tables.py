@@ -95,7 +95,7 @@ def errors(diagnosis: Diagnosis) -> Table:
 def rivals(cause: Cause) -> Table:
     """What explains the readings about as well as the cause."""
     rows = tuple(
-        (rival_title(cause, one), _short(one.evidence), probability(one.p_value))
+        (rival_title(one), _short(one.evidence), probability(one.p_value))
         for one in sorted(cause.rivals, key=lambda one: -one.evidence)
     )
     own = (effect_title(cause.effect), _short(cause.evidence), probability(cause.p_value))

@@ -84,7 +84,7 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
         f"held-out RMS lower by {percent(cause.held_out_gain)}"
     )
     if cause.rivals:
-        yield f"  cannot be told from: {', '.join(shortened([rival_title(cause, one) for one in cause.rivals]))}"
+        yield f"  cannot be told from: {', '.join(shortened([rival_title(one) for one in cause.rivals]))}"
     if cause.separating is not None:
         yield f"  what would tell: {separating_run(cause.separating)}"
     if cause.remainder:

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from trueaxis.diagnosis.of_plan import Placed
-from trueaxis.diagnosis.result import Cause, Diagnosis, Evidence, Gain, Stale, Verdict
+from trueaxis.diagnosis.result import Cause, Diagnosis, Estimate, Evidence, Gain, Stale, Verdict
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
@@ -23,7 +23,6 @@ TITLES: dict[Verdict, str] = {
 MOST_STRUCTURES = 5  # named in a line
 MOST_MISFITS = 5
 MOST_ALTERNATIVES = 4  # to a cause that are named in a line
-PERIOD = "pitch"  # the parameter by which rivals of the same effect differ
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
 ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
 
@@ -72,23 +71,25 @@ def shortened(words: Sequence[str], most: int = MOST_ALTERNATIVES) -> list[str]:
 
 def alternatives(cause: Cause) -> list[str]:
     """A cause and its rivals: `Cyclic in EXX of pitch 16.00 mm or 21.09 mm`, `Backlash in EXX`."""
-    same = [one for one in cause.rivals if one.effect == cause.effect]
-    others = [effect_title(one.effect) for one in cause.rivals if one.effect != cause.effect]
+    same = [one for one in cause.rivals if one.differs_by]
+    others = [effect_title(one.effect) for one in cause.rivals if not one.differs_by]
     title = effect_title(cause.effect)
     if same:
-        periods = [_period_of(cause), *map(_period_of, same)]
-        title += f" of {PERIOD} {enumerated(shortened(periods), 'or')}"
+        name = same[0].differs_by
+        values = [_value_of(one, name) for one in (cause.parameters, *(one.parameters for one in same))]
+        title += f" of {name} {enumerated(shortened(values), 'or')}"
     return [title, *shortened(others)]
 
 
-def rival_title(cause: Cause, rival: Evidence) -> str:
+def rival_title(rival: Evidence) -> str:
     """Of another effect its name, of the same its period."""
-    return effect_title(rival.effect) if rival.effect != cause.effect else f"{PERIOD}{NBSP}{_period_of(rival)}"
+    name = rival.differs_by
+    return f"{name}{NBSP}{_value_of(rival.parameters, name)}" if name else effect_title(rival.effect)
 
 
-def _period_of(one: Cause | Evidence) -> str:
+def _value_of(parameters: Sequence[Estimate], name: str) -> str:
     """`21.091 mm`: with as many digits as are known."""
-    (found,) = (each for each in one.parameters if each.name == PERIOD)
+    (found,) = (one for one in parameters if one.name == name)
     return with_expanded(found.value, found.u, found.unit).split(" ", 1)[0]
 
 
