@@ -24,7 +24,7 @@ ZOOMS = 2  # a peak of a period is then known to a thirtieth of its width, which
 Point = Mapping[str, float]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Fineness:
     """How many points a grid has.
 
