@@ -5,7 +5,8 @@ import pytest
 from scipy.stats import norm
 
 from tests.diagnosis.prepared import SIGMA, field
-from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.fitted import Fitted
+from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import Stale
 from trueaxis.diagnosis.search import search
 from trueaxis.diagnosis.signatures import parameter_signature

@@ -37,7 +37,7 @@ def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pyt
     now, then = told["EAZ"]
     assert then > 2.0 * now
     for name, one in CLASSES.items():
-        monkeypatch.setitem(CLASSES, name, replace(one, factor=1.0))  # type: ignore[arg-type]
+        monkeypatch.setitem(CLASSES, name, replace(one, factor=1.0))
     usual = identified()
     u = {part.name: part.u for part in usual.report.components}
     assert not notes_of(usual)

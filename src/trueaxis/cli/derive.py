@@ -14,7 +14,8 @@ from trueaxis.machine.machine import LINEAR
 from trueaxis.machine.topology import format_lower_body_array, tool_senses
 from trueaxis.model.manifest import KERNEL_FILES
 
-TURNS = {"A": "YZ", "B": "ZX", "C": "XY"}  # a positive turn about X, Y, Z takes the first of these to the second
+# A positive turn about X, Y, Z takes the first of these to the second.
+TURNS = {"A": ("Y", "Z"), "B": ("Z", "X"), "C": ("X", "Y")}
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

@@ -1,7 +1,7 @@
 """Which positions a program visits, and how far it is corrected there: bounded, however long it is."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -15,20 +15,48 @@ FINEST = 1024  # cells along an axis; a power of two: halves are whole
 MOST_SAMPLES = 500_000  # along the motions of one batch: 30 MB
 
 
-@dataclass(slots=True)
-class _Cell:
-    """position: with the largest correction, (n_axes,), mm or deg; low, high: what the axes pass within the cell."""
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class _Cells:
+    """keys: (m,), which cells; position: (n_axes, m), mm or deg, where the correction (m,) is largest in each; low,
+    high: (n_axes, m), what the axes pass within it.
+    """
 
+    keys: npt.NDArray[np.int64]
     position: FloatArray
-    correction: float
+    correction: FloatArray
     low: FloatArray
     high: FloatArray
 
-    def add(self, other: "_Cell") -> None:
-        """Take in what was visited of the same cell later."""
-        if other.correction > self.correction:
-            self.position, self.correction = other.position, other.correction
-        self.low, self.high = np.minimum(self.low, other.low), np.maximum(self.high, other.high)
+    @classmethod
+    def none(cls, axes: int) -> "_Cells":
+        """Nothing visited."""
+        empty = np.zeros((axes, 0))
+        return cls(keys=np.zeros(0, np.int64), position=empty, correction=np.zeros(0), low=empty, high=empty)
+
+    def each_once(self) -> "_Cells":
+        """With what was visited of the same cell together; of equal corrections the first stays."""
+        if not self.keys.size:
+            return self
+        order = np.lexsort((-self.correction, self.keys))
+        keys, first = np.unique(self.keys[order], return_index=True)
+        at = order[first]
+        return _Cells(
+            keys=keys,
+            position=self.position[:, at],
+            correction=self.correction[at],
+            low=np.minimum.reduceat(self.low[:, order], first, axis=1),
+            high=np.maximum.reduceat(self.high[:, order], first, axis=1),
+        )
+
+    def and_later(self, later: "_Cells") -> "_Cells":
+        """Together with what was visited later."""
+        return _Cells(
+            keys=np.concatenate([self.keys, later.keys]),
+            position=np.hstack([self.position, later.position]),
+            correction=np.concatenate([self.correction, later.correction]),
+            low=np.hstack([self.low, later.low]),
+            high=np.hstack([self.high, later.high]),
+        ).each_once()
 
 
 class Visited:
@@ -46,8 +74,8 @@ class Visited:
         self._low = low[:, np.newaxis]
         self._travel = np.maximum(high - low, 1e-9)[:, np.newaxis]
         self._each = FINEST
-        self._cells: dict[int, _Cell] = {}
         count = len(model.axes)
+        self._cells = _Cells.none(count)
         self._lowest, self._highest = np.full(count, np.inf), np.full(count, -np.inf)
         self._directions = np.array([*np.eye(count), *-np.eye(count), *product((-1.0, 1.0), repeat=count)])
         self._farthest = np.zeros((count, 0))
@@ -75,7 +103,7 @@ class Visited:
         share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
         samples, step = positions[:, source] - share * way[:, source], way[:, source] / parts[source]
         self._note(samples, step, np.where(share == 0.0, corrections[source], 0.0))
-        while len(self._cells) > MOST_CELLS:
+        while self._cells.keys.size > MOST_CELLS:
             self._halve()
 
     def _parts(self, way: FloatArray) -> npt.NDArray[np.int64]:
@@ -86,48 +114,39 @@ class Visited:
     def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
         """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
         place = np.clip(((positions - self._low) / self._travel * self._each).astype(np.int64), 0, self._each - 1)
-        every = self._strides @ place
-        order = np.lexsort((-corrections, every))  # of each cell the largest correction first
-        keys, first = np.unique(every[order], return_index=True)
-        low = np.minimum.reduceat(np.minimum(positions, positions - step)[:, order], first, axis=1)
-        high = np.maximum.reduceat(np.maximum(positions, positions - step)[:, order], first, axis=1)
-        at = order[first]
-        # a view would keep the points of its whole batch
-        found = zip(positions[:, at].T.copy(), corrections[at].tolist(), low.T, high.T, strict=True)
-        for key, parts in zip(keys.tolist(), found, strict=True):
-            _put(self._cells, key, _Cell(*parts))
+        found = _Cells(
+            keys=self._strides @ place,
+            position=positions,
+            correction=corrections,
+            low=np.minimum(positions, positions - step),
+            high=np.maximum(positions, positions - step),
+        )
+        self._cells = self._cells.and_later(found.each_once())
 
     def _halve(self) -> None:
         """Make cells twice as long along every axis."""
-        keys = self._indices // 2
+        place = self._cells.keys // self._strides[:, np.newaxis] % self._each // 2
         self._each //= 2
-        before, self._cells = self._cells, {}
-        for key, cell in zip((self._strides @ keys).tolist(), before.values(), strict=True):
-            _put(self._cells, key, cell)
+        self._cells = replace(self._cells, keys=self._strides @ place).each_once()
 
     @property
     def _strides(self) -> npt.NDArray[np.int64]:
         return self._each ** np.arange(self._lowest.size, dtype=np.int64)
 
     @property
-    def _indices(self) -> npt.NDArray[np.int64]:
-        """(n_axes, m): where the cells are, counted along each axis."""
-        return np.array(list(self._cells), dtype=np.int64) // self._strides[:, np.newaxis] % self._each
-
-    @property
     def positions(self) -> FloatArray:
-        """(n_axes, m): for each cell where its largest correction is, in the order of the first visits, mm or deg."""
-        return np.array([cell.position for cell in self._cells.values()]).reshape(-1, self._lowest.size).T
+        """(n_axes, m): for each cell where its largest correction is, mm or deg."""
+        return self._cells.position
 
     @property
     def corrections(self) -> FloatArray:
         """(m,): the largest correction in each cell, mm."""
-        return np.array([cell.correction for cell in self._cells.values()])
+        return self._cells.correction
 
     @property
     def ends(self) -> FloatArray:
         """(n_axes, 2): lowest and highest position of each axis, mm or deg; nothing visited: (n_axes, 0)."""
-        if not self._cells:
+        if not self._cells.keys.size:
             return np.zeros((self._lowest.size, 0))
         return np.stack([self._lowest, self._highest], axis=1)
 
@@ -140,17 +159,8 @@ class Visited:
         return np.hstack([self.positions, self._farthest, *self._at_nodes(nodes)])
 
     def _at_nodes(self, nodes: Sequence[Sequence[float]]) -> Iterator[FloatArray]:
-        low = np.array([cell.low for cell in self._cells.values()])
-        high = np.array([cell.high for cell in self._cells.values()])
         for row, of_axis in enumerate(nodes):
             for node in of_axis:
-                at = self.positions[:, (low[:, row] <= node) & (node <= high[:, row])]
+                at = self.positions[:, (self._cells.low[row] <= node) & (node <= self._cells.high[row])]
                 at[row] = node
                 yield at
-
-
-def _put(cells: dict[int, _Cell], key: int, cell: _Cell) -> None:
-    if key in cells:
-        cells[key].add(cell)
-    else:
-        cells[key] = cell

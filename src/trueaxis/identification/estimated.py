@@ -149,8 +149,8 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
     )
     estimated = sigma[observed.run]
     known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
-    stated = set(np.unique(observed.run).tolist()) <= set(noise)
-    if stated:
+    all_stated = set(np.unique(observed.run).tolist()) <= set(noise)
+    if all_stated:
         sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
         known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
     return Residuals(
@@ -160,10 +160,10 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         noise=known,
         size=sizes,
         freedom=int(found.readings.freedom),
-        copied=() if stated else tuple(copied_runs(observed).tolist()),
+        copied=() if all_stated else tuple(copied_runs(observed).tolist()),
         estimated=estimated,
         independent=independent,
-        stated=stated,
+        stated=all_stated,
     )
 
 

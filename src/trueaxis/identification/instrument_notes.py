@@ -51,10 +51,14 @@ def _by_expected_sizes(
     """Where u would be far larger by the usual sizes."""
     usual = replace(found, spread=expected.spread, of_prior=0)
     pairs = [
-        (name, judge(found, name).u, judge(usual, name).u, unit)
-        for judge, names in ((judged_location, found.layout.locations), (judged_component, found.layout.components))
-        for name in names
-        for unit in [model.machine.parameter_unit(name) if judge is judged_location else name.unit]
+        *(
+            (name, judged_location(found, name).u, judged_location(usual, name).u, model.machine.parameter_unit(name))
+            for name in found.layout.locations
+        ),
+        *(
+            (name, judged_component(found, name).u, judged_component(usual, name).u, name.unit)
+            for name in found.layout.components
+        ),
     ]
     larger = sorted((one for one in pairs if one[2] > LARGER * one[1]), key=lambda one: -one[2] / one[1])
     tool = [float(np.sqrt(np.mean(tool_point(one, volume(model), [ORIGIN]).u ** 2))) for one in (found, usual)]

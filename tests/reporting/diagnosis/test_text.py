@@ -5,7 +5,7 @@ from typing import get_args
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.of_plan import NextRun
+from trueaxis.diagnosis.of_plan import NextRun, Placed
 from trueaxis.diagnosis.result import Gain, Stage, Verdict
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
@@ -41,7 +41,7 @@ def test_a_cause_on_the_console() -> None:
 
 def test_runs_for_effects_that_are_no_causes_are_left_to_the_report() -> None:
     """The console says what to do about the verdict; which two drifts look alike does not concern a backlash."""
-    drifts = Effect(kind="drift", component="EZZ"), Effect(kind="thermal_offset", component="EZZ")
+    drifts = tuple(Placed(Effect(kind=kind, component="EZZ")) for kind in ("drift", "thermal_offset"))
     plain = builders.diagnosis("ambiguous")
     other = replace(plain.next_runs[0], run="laser, Z moving", pairs=((drifts[0], drifts[1:]),))
     noise = NextRun(instrument="laser")

@@ -47,11 +47,12 @@ def of_verdict(diagnosis: Diagnosis) -> tuple[Proposal, ...]:
     """The proposals that bear on the verdict: on a cause that is named, structure without a name, an unknown noise. The
     others would tell effects apart that the readings show nothing of.
     """
-    named = {one.effect for cause in diagnosis.causes for one in (cause, *cause.rivals)}
+    causes = diagnosis.causes
+    named = {one.effect for one in causes} | {rival.effect for one in causes for rival in one.rivals}
     runs = [
         one
         for one in diagnosis.next_runs
-        if one.told is None or named & {effect for first, others in one.pairs for effect in (first, *others)}
+        if one.told is None or named & {placed.effect for first, others in one.pairs for placed in (first, *others)}
     ]
     return proposals(replace(diagnosis, next_runs=tuple(runs)))
 

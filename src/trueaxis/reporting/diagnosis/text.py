@@ -43,9 +43,9 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         yield misfit(diagnosis)
     yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
     yield from _gain(diagnosis.gain)
-    shown = of_verdict(diagnosis)
-    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in shown)
-    if others := len(proposals(diagnosis)) - len(shown):
+    further = of_verdict(diagnosis)
+    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in further)
+    if others := len(proposals(diagnosis)) - len(further):
         runs = "run" if others == 1 else "runs"
         yield f"report.html names {others} more {runs}, to tell effects apart that these readings show nothing of"
     yield from (f"warning: {text}" for text in warnings(diagnosis))
