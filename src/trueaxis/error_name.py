@@ -7,6 +7,11 @@ _ABOUT = {"A": "X", "B": "Y", "C": "Z"}  # a letter of a rotation, or of a rotar
 _NAME = re.compile(r"E[XYZABC]0?[XYZABC]")
 
 
+def line_of(axis: str) -> str:
+    """X, Y or Z: along which an axis moves, or about which it turns."""
+    return _ABOUT.get(axis, axis)
+
+
 class Direction(str):
     """EX, EY, EZ: a displacement along X, Y, Z; EA, EB, EC: a rotation about them."""
 
@@ -20,7 +25,7 @@ class Direction(str):
     @property
     def line(self) -> str:
         """X, Y or Z: along which it displaces, or about which it turns."""
-        return _ABOUT.get(self.letter, self.letter)
+        return line_of(self.letter)
 
     @property
     def is_rotation(self) -> bool:

@@ -36,11 +36,11 @@ def load(folder: Path, machine: Machine | None = None, backend: str = "numpy") -
     return load_kernels(machine or machine_at(DMU60P), Path("machines/dmu60p.toml"), folder, backend=backend)
 
 
-def fault_of(folder: Path, machine: Machine | None = None) -> str:
+def fault_of(folder: Path, machine: Machine | None = None, remedy: str = "--out {folder}") -> str:
     with pytest.raises(InputError) as caught:
         load(folder, machine)
     (fault,) = caught.value.faults
-    assert str(fault).endswith(f"; run: trueaxis derive machines/dmu60p.toml --out {folder}")
+    assert str(fault).endswith(f"; run: trueaxis derive machines/dmu60p.toml {remedy.format(folder=folder)}")
     return str(fault)
 
 
@@ -85,7 +85,8 @@ def test_kernels_of_another_abi(folder: Path) -> None:
 
 def test_kernels_of_another_spec(folder: Path) -> None:
     other = machine_of(DMU60P.read_text().replace("540.0", "541.0"))
-    assert "spec_sha256: is not that of machines/dmu60p.toml as it is now" in fault_of(folder, other)
+    told = fault_of(folder, other, "--out OTHER, and give --kernels OTHER")
+    assert "spec_sha256: is not that of machines/dmu60p.toml as it is now" in told
 
 
 def test_references_and_layout_of_a_spec_leave_its_kernels_good(folder: Path) -> None:

@@ -76,7 +76,7 @@ BEYOND_MACHINE = {
     *("axis moved twice", "no such end", "ends the same", "idle body", "clash of parameters", "two bodies of a name"),
     *("travel the wrong way round", "travel of nothing", "travel is not finite", "travel is no number"),
     *("travel is beyond doubles", "a word of Python", "a word of C", "a component's name", "an axis's name"),
-    *("a fraction", "quotes in prose", "bars in a table", "position of nan", "another axis's error"),
+    *("a coordinate", "a fraction", "quotes in prose", "bars in a table", "position of nan", "another axis's error"),
     *("no lower body", "two bodies of one number", "a body on itself"),
 }
 

@@ -1,6 +1,6 @@
 """Component and location errors in words (ISO 230-1, ISO 230-7)."""
 
-from trueaxis.error_name import Direction, ErrorName
+from trueaxis.error_name import Direction, ErrorName, line_of
 from trueaxis.machine.machine import BED, LINEAR, Body, Machine
 
 
@@ -15,7 +15,7 @@ def component_words(component: ErrorName) -> str:
         return f"angular positioning error of {axis}"
     if component.is_rotation:
         return f"tilt error motion of {axis} about {line}"
-    own = component.direction.line == _own_line(axis)
+    own = component.direction.line == line_of(axis)
     return f"axial error motion of {axis}, along {line}" if own else f"radial error motion of {axis} in {line}"
 
 
@@ -30,7 +30,7 @@ def _of_axis(machine: Machine, body: Body, direction: Direction) -> str:
     axis, line = body.moves, direction.line
     if axis is None:
         return f"rotation about {line}" if direction.is_rotation else f"displacement along {line}"
-    own = line == _own_line(axis)
+    own = line == line_of(axis)
     if not direction.is_rotation:
         zero = own and axis in LINEAR
         return f"zero position error of {axis}" if zero else f"error of the position of {axis} in {line}"
@@ -38,12 +38,7 @@ def _of_axis(machine: Machine, body: Body, direction: Direction) -> str:
         return (
             f"error of the orientation of {axis} about itself" if axis in LINEAR else f"zero position error of {axis}"
         )
-    third = next(letter for letter in LINEAR if letter not in (line, _own_line(axis)))
+    third = next(letter for letter in LINEAR if letter not in (line, line_of(axis)))
     if axis in LINEAR and third in machine.axes:
         return f"squareness error of {axis} to {third}, about {line}"
     return f"error of the orientation of {axis} about {line}"
-
-
-def _own_line(axis: str) -> str:
-    """X, Y or Z: along which an axis moves, or about which it turns."""
-    return Direction(f"E{axis}").line

@@ -16,6 +16,7 @@ from trueaxis.reporting.diagnosis.words import (
     enumerated,
     held_out_warning,
     largest_structures,
+    lower_case,
     noise_origin,
     period,
     shortened,
@@ -129,7 +130,8 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
         yield held_out_warning(diagnosis.gain)
     for cause in diagnosis.causes:
         if cause.rivals:
-            yield f"{enumerated(alternatives(cause))} predict the same readings"
+            titles = [lower_case(title) for title in alternatives(cause)]
+            yield f"{enumerated(titles)} predict the same readings"
     if diagnosis.outliers:
         count = len(diagnosis.outliers)
         yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"

@@ -35,6 +35,11 @@ def effect_title(effect: Effect) -> str:
     return text + (f" in{rest}" if effect.component else rest)
 
 
+def lower_case(title: str) -> str:
+    """A title within a sentence."""
+    return title[:1].lower() + title[1:]
+
+
 def joint(effect: Effect) -> str:
     """Where an effect acts: `positioning error of the X axis (EXX)`."""
     if effect.component is None:
