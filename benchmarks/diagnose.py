@@ -42,6 +42,7 @@ STAGES = (  # functions, and the stage that their time counts for; of one within
     ("diagnosis.procedure", "_searched", "search"),
     ("diagnosis.procedure", "likeliest", "search"),
     ("diagnosis.judgement", "with_rivals", "search"),
+    ("diagnosis.judgement", "with_best_periods", "search"),
     ("diagnosis.procedure", "audit", "audit"),
     ("diagnosis.judgement", "amplitudes_of", "checks"),
     ("diagnosis.judgement", "run_checks", "checks"),
@@ -57,8 +58,8 @@ STAGES = (  # functions, and the stage that their time counts for; of one within
     ("diagnosis.write_up", "ahead_of", "next runs"),
     ("diagnosis.write_up", "next_runs", "next runs"),
     ("diagnosis.procedure", "identified_anew", "values anew"),
-    ("cli.drawn_and_derived", "drawn_and_derived", "kernels *"),
-    ("cli.drawn_and_derived", "pictures_of", "figures *"),
+    ("jobs.drawn_and_derived", "drawn_and_derived", "kernels *"),
+    ("jobs.drawn_and_derived", "pictures_of", "figures *"),
     ("reporting.diagnosis.html", "report_html", "writing"),
     ("reporting.diagnosis.json_file", "diagnosis_json", "writing"),
 )
@@ -134,8 +135,8 @@ def of_stages(folder: Path) -> None:
     stages = Stages()
     for module, name, stage in STAGES:
         stages.watch(module, name, stage)
-    command = import_module("trueaxis.cli.diagnose")
-    command.ThreadPoolExecutor, command.beside = InTurn, _here  # type: ignore[attr-defined]
+    import_module("trueaxis.jobs.diagnose").ThreadPoolExecutor = InTurn  # type: ignore[attr-defined]
+    import_module("trueaxis.cli.diagnose").beside = _here  # type: ignore[attr-defined]
     stages.seconds[START] = time.process_time()
     stages.change([REST])
     trueaxis(_words(folder))
