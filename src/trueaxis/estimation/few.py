@@ -29,6 +29,8 @@ def few_of(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def common(weights: Sequence[FloatArray]) -> tuple[list[FloatArray], FloatArray]:
-    """What makes of the combinations of each piece, (r_i, p), those of all: (r_i, r) each, and (r, p)."""
+    """The few of all pieces, (r, p), from those of each, (r_i, p); and by what the columns of each are multiplied to
+    become theirs, (r_i, r).
+    """
     turned, together = few_of(np.vstack(weights))
     return np.split(turned, np.cumsum([one.shape[0] for one in weights])[:-1]), together

@@ -117,9 +117,14 @@ class Estimate:
         values = self.layout.values(unknowns, given)
         beside_it = self.as_expected and replace(self.as_expected, spread=change @ self.as_expected.spread)
         return replace(
-            self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior,
+            self,
+            values=values,
+            unknowns=unknowns,
+            spread=change @ self.spread,
+            open=left_open,
+            scale=prior,
             as_expected=beside_it,
-        )  # fmt: skip
+        )
 
 
 def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:

@@ -6,7 +6,7 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.identification.words import alternatives
+from trueaxis.identification.words import enumerated
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import ideal_bar, measuring_frame
 from trueaxis.measurement.setup import Run
@@ -49,7 +49,7 @@ def _dimensions(model: MachineModel, run: Run, positions: FloatArray, length: Fl
         if values:
             told = [f"{round(given + float(value[0]), 3) + 0.0:g}" for value in values]
             taken = "given as" if name in model.errors.parameters else "not given, taken as"
-            yield f"dimension {name} = {alternatives(told)} mm (--known; {taken} {given:g})"
+            yield f"dimension {name} = {enumerated(told, 'or')} mm (--known; {taken} {given:g})"
 
 
 def _with(model: MachineModel, name: str, value: float) -> MachineModel:
@@ -77,7 +77,7 @@ def _ball(model: MachineModel, run: Run, positions: FloatArray, length: FloatArr
     centres = _fits(off, [start, np.zeros(3), *starts])
     if centres:
         at = [str([round(float(value), 3) + 0.0 for value in np.array(end.point) + moved]) for moved in centres]
-        yield f"the ball on the {end.on} would have to be at {alternatives(at)} (key {name}.point)"
+        yield f"the ball on the {end.on} would have to be at {enumerated(at, 'or')} (key {name}.point)"
 
 
 def _length(model: MachineModel, run: Run, positions: FloatArray, length: FloatArray) -> Iterator[str]:

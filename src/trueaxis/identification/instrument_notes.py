@@ -64,7 +64,8 @@ def _by_expected_sizes(
     tool = [float(np.sqrt(np.mean(tool_point(one, volume(model), [ORIGIN]).u ** 2))) for one in (found, usual)]
     if not larger and tool[1] <= LARGER * tool[0]:
         return
-    sizes = [_size(kind, found, counts) for counts in [_counts(observed, found)] for kind in expected.classes]
+    counts = _counts(observed, found)
+    sizes = [_size(kind, found, counts) for kind in expected.classes]
     named = [f"{name} {small(now, unit)} ({small(then, unit)})" for name, now, then, unit in larger[:MOST_NAMED]]
     rest = f" and {len(larger) - MOST_NAMED} more errors" if len(larger) > MOST_NAMED else ""
     yield (

@@ -38,14 +38,9 @@ def together(shares: Sequence[Share]) -> str:
     return f"{first} with {enumerated(others)}" if others else first
 
 
-def enumerated(words: Sequence[str]) -> str:
+def enumerated(words: Sequence[str], last: str = "and") -> str:
     """`a`, `a and b`, `a, b and c`."""
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}" if words else ""
-
-
-def alternatives(words: Sequence[str]) -> str:
-    """`a`, `a or b`, `a, b or c`."""
-    return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+    return f"{', '.join(words[:-1])} {last} {words[-1]}" if len(words) > 1 else "".join(words)
 
 
 def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[Share]) -> str:

@@ -13,8 +13,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from platformdirs import user_cache_dir
-
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.staging import staged_folder, sweep
 
@@ -99,6 +97,8 @@ def _cache_root() -> Path:
             remedy = "an absolute path of a folder, which need not exist"
             raise InputError([Fault(f"{_VARIABLE} TRUEAXIS_CACHE", "", f"{named} {problem}", remedy)])
         return root
+    from platformdirs import user_cache_dir  # noqa: PLC0415  only where kernels are compiled
+
     return Path(user_cache_dir("trueaxis", appauthor=False, opinion=False))
 
 

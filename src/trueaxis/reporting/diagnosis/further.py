@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 
 from trueaxis.diagnosis.of_plan import Absence, NextRun, Placed, Separating, Told
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
+from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look
 from trueaxis.reporting.diagnosis.words import (
     alternatives,
-    enumerated,
     held_out_warning,
     largest_structures,
     lower_case,

@@ -10,6 +10,7 @@ from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import ErrorName
+from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import NBSP, UM, micrometres, probability, quantity, with_expanded, written
 from trueaxis.reporting.diagnosis.structures import check_name
 
@@ -107,11 +108,6 @@ def in_words(text: str, kinds: Iterable[str]) -> str:
 
     text = re.sub(rf"\b({names})\b( (?=E[A-Z0-9]{{2,3}}\b))?", spoken, text)
     return re.sub(r"(?<=\d) um\b", f"{NBSP}{UM}", text)
-
-
-def enumerated(words: Sequence[str], last: str = "and") -> str:
-    """`a`, `a and b`, `a, b and c`."""
-    return f"{', '.join(words[:-1])} {last} {words[-1]}" if len(words) > 1 else "".join(words)
 
 
 def headline(diagnosis: Diagnosis) -> str:
