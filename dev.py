@@ -18,8 +18,10 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 VENV = HERE / ".venv"
 BIN = VENV / ("Scripts" if sys.platform == "win32" else "bin")
-# Tests run side by side: each is to keep to its own processor.
+# Tests run side by side: each is to keep to its own processor. Modules are compiled once, not by each process that a
+# test starts, whatever the user has set.
 ENVIRONMENT = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NO_MKDOCS_2_WARNING": "1"}
+ENVIRONMENT |= {"PYTHONDONTWRITEBYTECODE": ""}
 LOCKS = {"demo": "run.txt", "test": "dev.txt", "site": "dev.txt", "setup": "dev.txt"}
 
 
@@ -61,13 +63,16 @@ def set_up(lock: Path) -> None:
 
 
 def run_tests(rest: list[str]) -> int:
-    """With arguments: pytest with them. Without: the fast tests first, then the slow ones."""
+    """With arguments: pytest with them. Without: the fast tests, which are to cover the code, then the slow ones."""
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
-    # tests of a file share what is dear to make
-    parallel = ("-n", "auto", "--dist", "loadfile", "-q", "--durations", "25")
-    return run(*pytest, *parallel, "-m", "not slow") or run(*pytest, *parallel, "-m", "slow")
+    # Tests of a file share what is dear to make; files that take long come first (tests/conftest.py). One worker more
+    # than there are processors: there is always one that waits, for a simulator or a process.
+    workers = str((os.cpu_count() or 1) + 1)
+    parallel = ("-n", workers, "--dist", "loadfile", "--no-loadscope-reorder", "-q", "--durations", "25")
+    covered = ("--cov", "--cov-report=")  # `coverage report` then says what is not; pyproject.toml how much has to be
+    return run(*pytest, *parallel, "-m", "not slow", *covered) or run(*pytest, *parallel, "-m", "slow")
 
 
 def run(*command: object) -> int:

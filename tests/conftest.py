@@ -9,6 +9,18 @@ from tests.command_lines import prepare
 from tests.kept import derived
 from tests.machines import ROOT
 
+# Files that take more than 25 s of a processor, the longest first, so that none is left for the end, when the other
+# workers have nothing to do.
+LONG = (
+    "hidden_effects/test_fast_set.py", "diagnosis/test_page.py", "diagnosis/test_rivals.py",
+)  # fmt: skip
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Files that take long first; tests of a file stay together and in their order."""
+    place = {ROOT / "tests" / name: number for number, name in enumerate(LONG)}
+    items.sort(key=lambda item: place.get(item.path, len(LONG)))
+
 
 def pytest_sessionstart(session: pytest.Session) -> None:
     """Kernels of the machines whose files are not checked in, beside those that are; once, not by every worker."""

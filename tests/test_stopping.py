@@ -125,6 +125,7 @@ def test_the_code_names_the_signal(prepared: Path, tmp_path: Path, name: str, nu
         words = COMMANDS[name].replace("part.nc", str(long)).format(out=tmp_path / "out")
     else:
         words = {**COMMANDS, "demo": "demo --out {out}"}[name].format(out=tmp_path / "out")
+        words = words.replace("of_x", "regular")  # of all axes, which takes long enough
     with subprocess.Popen(
         command_line(words), cwd=prepared, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
     ) as process:
@@ -136,6 +137,27 @@ def test_the_code_names_the_signal(prepared: Path, tmp_path: Path, name: str, nu
     assert "Traceback" not in error.decode()
     assert leftovers(tmp_path) == []
     assert name == "demo" or not (tmp_path / "out").exists()  # whose steps write as they end
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="prctl of Linux")
+def test_a_command_does_not_outlive_the_tests(tmp_path: Path) -> None:
+    code = (
+        "import subprocess, sys, time\nfrom tests.command_lines import command_line\n"
+        "process = subprocess.Popen(command_line(f'demo --out {sys.argv[1]}'), stdout=subprocess.DEVNULL)\n"
+        "print(process.pid, flush=True)\ntime.sleep(60)"
+    )
+    words = [sys.executable, "-c", code, str(tmp_path / "out")]
+    with subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, text=True) as tests:
+        assert tests.stdout is not None
+        command = int(tests.stdout.readline())
+        while not (tmp_path / "out").exists():  # it is at work
+            time.sleep(0.02)
+        tests.kill()
+    status = Path(f"/proc/{command}/status")
+    end = time.monotonic() + 20.0
+    while status.exists() and "\nState:\tZ" not in status.read_text():
+        assert time.monotonic() < end, "the command runs on"
+        time.sleep(0.02)
 
 
 def test_a_signal_that_was_ignored_stays_ignored() -> None:
