@@ -9,31 +9,16 @@ from pathlib import Path
 import pytest
 
 from tests.command_lines import COMMANDS, command_line, run
+from tests.hostile import EVIL, MODULES, make_hostile, run_of
 from tests.machines import ROOT
 from trueaxis.import_path import without_current_folder
 from trueaxis.own_python import own_python
 
-EVIL = "import os\nopen(os.environ['EVIDENCE'], 'a').write(__name__ + '\\n')\n"
-# what the program, its children and its libraries import; Python's own start is done before any of our code runs
-MODULES = sorted(
-    {*sys.stdlib_module_names, "numpy", "polars", "scipy", "sympy", "jinja2", "matplotlib", "statsmodels", "pandas"}
-    | {"polars_runtime_32", "_polars_runtime_32", "PIL", "trueaxis", "kernels", "usercustomize", "sitecustomize"}
-    | {"latex2mathml", "mpmath", "markupsafe", "evil"}
-)
-
 
 @pytest.fixture(scope="module")
 def hostile(prepared: Path) -> Path:
-    folders = [prepared / name for name in ("dmu60p_runs", "small_runs", "data", "out", "out/demo")]
-    for place in (prepared, *folders):
-        place.mkdir(exist_ok=True)
-        for name in MODULES:
-            (place / f"{name}.py").write_text(EVIL)
-        (place / "matplotlibrc").write_bytes(b"\xff\xfe")  # no settings that Matplotlib can read
-        for name in ("cc", "gcc", "clang", "as", "ld"):
-            (place / name).write_text("#!/bin/sh\necho compiler >> $EVIDENCE\nexit 1\n")
-            (place / name).chmod(0o755)
-        (place / "math.h").write_text("#error the header of a data folder\n")
+    names = ("dmu60p_runs", "small_runs", "data", "out")
+    make_hostile(prepared, *(prepared / name for name in names))
     return prepared
 
 
@@ -42,7 +27,7 @@ def evidence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     path = tmp_path / "evidence"
     monkeypatch.setenv("EVIDENCE", str(path))
     yield path
-    assert not path.exists(), f"run: {sorted(set(path.read_text().split()))}"
+    assert run_of(path) == []
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -87,13 +72,6 @@ def test_an_empty_entry_of_the_import_path_means_no_folder(
     monkeypatch.setenv("PYTHONPATH", f":{ROOT / 'src'}")
     at = f"--errors {hostile / 'e.json'} --at {hostile / 'points.parquet'}"
     done = run(tmp_path, f"predict {hostile / 'm.toml'} {at} --out p.csv")
-    assert done.returncode == 0, done.stderr
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("evidence")
-def test_the_demonstration_runs_no_modules_of_its_folder(hostile: Path) -> None:
-    done = run(hostile, "demo --out out/demo")
     assert done.returncode == 0, done.stderr
 
 

@@ -13,6 +13,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
+import psutil
 import pytest
 
 from tests.command_lines import COMMANDS, command_line, leftovers, prepare, run
@@ -21,6 +22,7 @@ from tests.machines import ROOT
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
+AT_WORK = 1.3  # s of a processor, by which a command has loaded its libraries, however busy the machine is
 OF_PYTHON = 0.15  # s: before that a process may not have come to our code, and Python itself answers to a signal
 
 
@@ -129,7 +131,8 @@ def test_the_code_names_the_signal(prepared: Path, tmp_path: Path, name: str, nu
     with subprocess.Popen(
         command_line(words), cwd=prepared, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
     ) as process:
-        time.sleep(1.5)
+        while process.poll() is None and sum(psutil.Process(process.pid).cpu_times()[:2]) < AT_WORK:
+            time.sleep(0.01)
         process.send_signal(number)
         _, error = process.communicate(timeout=60)
     assert process.returncode == 128 + number

@@ -5,11 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.command_lines import run
+from tests.hostile import make_hostile, run_of
 from tests.machines import ROOT
 from trueaxis.compensation.ends import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import path_errors, read_wanted
-from trueaxis.demo.steps import run_demo
 from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE
 from trueaxis.io.faults import InputError
 
@@ -62,8 +63,12 @@ def test_commanded_ends_refuse_arcs(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_whole_demonstration_gains_what_it_says(tmp_path: Path) -> None:
-    summary = run_demo(tmp_path / "results", noise_um=0.3, seed=1)
+def test_the_whole_demonstration_gains_what_it_says_and_runs_nothing_of_its_folder(tmp_path: Path) -> None:
+    make_hostile(tmp_path, tmp_path / "results")
+    done = run(tmp_path, "demo --out results --noise-um 0.3 --seed 1", env={"EVIDENCE": str(tmp_path / "evidence")})
+    assert done.returncode == 0, done.stderr
+    assert run_of(tmp_path / "evidence") == []
+    summary = (tmp_path / "results" / "summary.txt").read_text()
     nothing, by_stepwise, by_estimate, by_proposed = (
         float(next(line for line in summary.splitlines() if line.strip().startswith(way)).split()[-1])
         for way in ("not compensated  ", STEPWISE, ESTIMATE, PROPOSED)
