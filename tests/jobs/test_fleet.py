@@ -294,11 +294,11 @@ def test_workers_run_no_modules_that_lie_beside_the_data(tmp_path: Path) -> None
 def test_a_row_names_no_files_beyond_its_folder(done: tuple[Path, ta.FleetResult], tmp_path: Path) -> None:
     folder = tmp_path / "fleet"
     shutil.copytree(done[0], folder)
-    row = folder / "out" / "machines" / "M0" / "2026-10-01" / "row.json"
-    for name in ("../../../../FLEET.toml", str(folder / "FLEET.toml")):
+    for machine, name in (("M0", "../../../../FLEET.toml"), ("M1", str(folder / "FLEET.toml"))):
+        row = folder / "out" / "machines" / machine / "2026-10-01" / "row.json"
         row.write_text(json.dumps({**json.loads(row.read_text()), "files": [name]}))
-        ta.fleet(folder / "FLEET.toml", folder / "out", workers=1, again=True)
-        assert (folder / "FLEET.toml").is_file()
+    ta.fleet(folder / "FLEET.toml", folder / "out", workers=1, again=True)
+    assert (folder / "FLEET.toml").is_file()
 
 
 def test_another_version_of_the_program_is_told(tmp_path: Path) -> None:
