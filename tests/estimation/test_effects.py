@@ -24,7 +24,7 @@ from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.report import Identification
 from trueaxis.identification.report_text import report_text
 from trueaxis.io.faults import InputError

@@ -22,7 +22,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.identification.curve_fit import in_polynomials
 from trueaxis.identification.estimated import Choice, identify_estimated
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.report import Identification
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import InputError

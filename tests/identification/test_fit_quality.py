@@ -17,7 +17,7 @@ from trueaxis.estimation.repeats import copied_runs
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import ErrorValues

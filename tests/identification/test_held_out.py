@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from trueaxis.identification.curve_orders import ordered_curves
-from trueaxis.identification.held_out import held_out
+from trueaxis.identification.curve_fit import held_out, ordered_curves
 from trueaxis.identification.polynomial import fit_optimal
 from trueaxis.model.curves import PolynomialCurve, TableCurve
 

@@ -22,7 +22,7 @@ from tests.identification.data import (
 from tests.identification.machines import dmu60p
 from trueaxis.estimation.observations import Observations
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.report import Identification
 from trueaxis.io.faults import InputError
 from trueaxis.measurement.setup import PointOn, Run

@@ -17,16 +17,13 @@ from tests.generator.dmu60p import dmu60p as generator
 from tests.identification.data import P9_PRINTED, paper_data
 from tests.identification.machines import dmu60p
 from trueaxis.estimation.machine import units
-from trueaxis.identification.axis_lines import angle_matrix, axis_lines
 from trueaxis.identification.curve_fit import fit_tables, polynomial_curves
-from trueaxis.identification.noise import noise
-from trueaxis.identification.null_space import reduced
+from trueaxis.identification.paper.describe import reduced
 from trueaxis.identification.paper.method import identify_paper
 from trueaxis.identification.paper.pseudo_inverse import TooLargeError, pseudo_inverse
-from trueaxis.identification.paper.result import PaperOptions
-from trueaxis.identification.paper.squareness import accumulated_slope
+from trueaxis.identification.paper.solution import PaperOptions, noise
+from trueaxis.identification.paper.squareness import accumulated_slope, angle_matrix, axis_lines, slope_weights
 from trueaxis.identification.report_text import report_json, report_text
-from trueaxis.identification.straightness import slope_weights
 from trueaxis.model.bases import LegendreBasis, axis_basis
 from trueaxis.model.curves import PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues

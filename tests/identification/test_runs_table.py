@@ -5,8 +5,7 @@ import pytest
 
 from trueaxis.estimation.noise import Noise
 from trueaxis.identification.fit_quality import FitQuality, Residuals, run_residuals
-from trueaxis.identification.report_text import fit_text
-from trueaxis.identification.runs_table import WORST, runs_table
+from trueaxis.identification.report_text import WORST, fit_text, runs_table
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import Fit
 

@@ -11,7 +11,7 @@ from trueaxis.demo.volume import left_um
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.simulate import filled_in
 from trueaxis.model.errors import ErrorValues

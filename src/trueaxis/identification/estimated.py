@@ -21,12 +21,12 @@ from trueaxis.identification.fit_quality import (
     Residuals,
     expected_sizes,
     known_noise,
+    noise_remedies,
     quality,
     run_residuals,
 )
 from trueaxis.identification.misreadings import with_misread
 from trueaxis.identification.report import Identification
-from trueaxis.identification.stated_noise import noise_remedies
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault, InputError

@@ -1,4 +1,8 @@
-"""How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
+"""How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known.
+
+What size readings may be expected to have is that of the prior; where a noise that is stated is not that of the
+readings, it is said what to do.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -6,14 +10,15 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.special import chdtri
 
-from trueaxis.estimation.machine import IdentifiedMachine, IntArray
+from trueaxis.estimation.first_order import sensed, sensed_at_home
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, units
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
-from trueaxis.identification.expected_size import expected_size
 from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
 from trueaxis.measurement.instrument_kinds import INSTRUMENTS, SmallUnit, small_unit
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.setup import Run
 from trueaxis.model.errors import Fit
 from trueaxis.model.model import MachineModel
@@ -21,6 +26,7 @@ from trueaxis.model.model import MachineModel
 STEP = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 LEAST_STEP = 1e-12  # mm: below it a step is rounding
 RESOLUTION = 1e-6  # mm: no instrument resolves less, however small the residuals are
+
 # Residuals over noise. No model is complete: lost motion or heat of the size of the noise double the residuals, and are
 # for `diagnose` to find. At three times the noise eight ninths of the residual variance are not noise: the
 # uncertainties, which follow from the noise, are wrong by that factor. A factor, other than a p-value, does not grow
@@ -28,6 +34,7 @@ RESOLUTION = 1e-6  # mm: no instrument resolves less, however small the residual
 MISFIT = 3.0
 MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviations it is no noise either
 DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
+
 FAR_FROM_NOISE = {
     True: "the residuals are far from the noise that is stated",
     False: "the residuals are far from the noise that repeated readings show",
@@ -37,6 +44,7 @@ FAR_FROM_NOISE = {
 LACKING = float(np.sqrt(2.0))
 UNUSUAL = 0.01  # share of the data sets in which noise alone makes a run of them as large
 MOST_RUNS = 10  # named
+OPTION, DEVICE = "--noise-{unit} states", "noise_{unit} of the device table (setup.toml) states"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -211,3 +219,48 @@ def _ratios(residuals: Residuals, noise: FloatArray, runs: int) -> FloatArray:
     count = np.bincount(residuals.run, weights=residuals.count, minlength=runs)
     squares = np.bincount(residuals.run, weights=residuals.squares / noise**2, minlength=runs)
     return np.sqrt(np.divide(squares, count, out=np.zeros(runs), where=count > 0))
+
+
+def expected_size(machine: MachineModel, run: Run, positions: FloatArray) -> FloatArray:
+    """(n,): standard deviation of readings of a run at positions (n_axes, n), mm: errors of their prior sizes together.
+
+    Component errors are taken as independent at a position and at home, and equal where an axis has not left its home.
+    """
+    locations = len(machine.components)
+    unit = units(machine)[locations:]
+    sizes = [machine.prior.of_component(name) for name in machine.components]
+    sizes += [machine.prior.of_location(name, of) for name, of in zip(machine.location_errors, unit, strict=True)]
+    here, home = sensed(machine, run, positions), sensed_at_home(machine, run)
+    share = here - home
+    zeroed = home_positions(run, machine.axes)
+    if zeroed is not None:
+        moved = (positions != zeroed)[component_axes(machine)]
+        share[:locations] = np.where(moved, np.hypot(here[:locations], home[:locations]), share[:locations])
+    found: FloatArray = np.linalg.norm(share * np.array(sizes)[:, np.newaxis], axis=0)
+    return found
+
+
+def noise_remedies(
+    observed: Observations, stated: Mapping[int, float], each: Sequence[RunResidual], *, by_device: bool
+) -> dict[str, float]:
+    """A sentence for each instrument whose residuals are far from its stated noise, and their ratio.
+
+    stated: of runs by index, mm; each: residuals of every run over that noise; by_device: whether the device table says
+    it, else the option. The middle run decides: of noise that is wrong all runs are off, of a faulty run that one.
+    """
+    ratio = {one.run: one.ratio for one in each if one.ratio is not None}
+    found = {}
+    for instrument in dict.fromkeys(observed.runs[index].instrument for index in stated):
+        runs = [index for index in stated if observed.runs[index].instrument == instrument]
+        known = [ratio[observed.runs[index].id] for index in runs if observed.runs[index].id in ratio]
+        middle = float(np.median(known)) if known else 1.0
+        if 1.0 / MISFIT <= middle <= MISFIT:
+            continue
+        unit, small = small_unit(instrument), 1e3 * float(np.median([stated[index] for index in runs]))
+        times = f"{middle:.2g} times" if middle > 1.0 else f"1/{1.0 / middle:.2g} of"
+        found[
+            f"the residuals of {instrument} are {times} the noise that "
+            f"{(DEVICE if by_device else OPTION).format(unit=unit)} ({small:.3g} {unit}): leave it out and the noise "
+            f"is estimated, or state about {small * middle:.2g} {unit}"
+        ] = middle
+    return found

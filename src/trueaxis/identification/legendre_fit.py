@@ -13,8 +13,7 @@ import numpy as np
 from scipy.linalg import lstsq
 
 from trueaxis.identification.polynomial import OptimalFit, Samples, fit_samples
-from trueaxis.identification.polynomial.powers import scale_exponent, scaled_powers, to_position_powers
-from trueaxis.identification.polynomial.regression import empty_fit
+from trueaxis.identification.polynomial.regression import empty_fit, scale_exponent, scaled_powers, to_position_powers
 from trueaxis.machine.machine import Machine
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray, LegendreCurve, PolynomialCurve

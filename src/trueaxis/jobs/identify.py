@@ -11,7 +11,7 @@ from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.notes import compensation_note, unread_caveats
 from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.report import IdentificationReport
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel

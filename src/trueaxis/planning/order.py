@@ -6,9 +6,7 @@ import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
-from trueaxis.identification.paper.equations import equations
-from trueaxis.identification.paper.grid import Grid, grid_and_cells
-from trueaxis.identification.paper.points import points_remark
+from trueaxis.identification.paper.grid import Grid, equations, grid_and_cells, points_remark
 from trueaxis.identification.paper.steps import SolvedStep, Step, Steps, solve_steps, steps_in_order
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import InputError

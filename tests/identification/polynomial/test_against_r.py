@@ -11,9 +11,9 @@ import polars
 import pytest
 
 from trueaxis.identification.polynomial import OptimalFit, PolynomialFit, fit_optimal, fit_terms
-from trueaxis.identification.polynomial.reduced import reduced_system
-from trueaxis.identification.polynomial.samples import checked_samples
-from trueaxis.identification.polynomial.stepwise import step_by_aic
+from trueaxis.identification.polynomial.optimal import step_by_aic
+from trueaxis.identification.polynomial.records import checked_samples
+from trueaxis.identification.polynomial.regression import reduced_system
 
 DATA = Path(__file__).parents[2] / "data" / "eq52"
 STORED: dict[str, Any] = json.loads((DATA / "r_reference.json").read_text())

@@ -8,7 +8,7 @@ import statsmodels.api as sm
 from numpy.typing import NDArray
 
 from trueaxis.identification.polynomial import checked_samples, fit_terms
-from trueaxis.identification.polynomial.powers import scale_exponent, to_position_powers
+from trueaxis.identification.polynomial.regression import scale_exponent, to_position_powers
 
 FloatArray = NDArray[np.float64]
 ALL = tuple(range(1, 8))

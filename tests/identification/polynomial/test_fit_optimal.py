@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from statsmodels.regression.linear_model import OLS
 
 from trueaxis.identification.polynomial import checked_samples, fit_optimal, fit_terms, statistics_table
-from trueaxis.identification.polynomial.reduced import reduced_system
+from trueaxis.identification.polynomial.regression import reduced_system
 
 FloatArray = NDArray[np.float64]
 SEEDS = st.integers(0, 10_000)

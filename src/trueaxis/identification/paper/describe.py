@@ -1,13 +1,12 @@
 """The report of the point-by-point method: blocks, values, and what is open, in words."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from trueaxis.estimation.machine import lever, units
-from trueaxis.identification.null_space import reduced
-from trueaxis.identification.paper.grid import IntArray
-from trueaxis.identification.paper.points import points_remark
-from trueaxis.identification.paper.result import PaperResult
-from trueaxis.identification.paper.solution import sloped
+from trueaxis.identification.paper.grid import IntArray, points_remark
+from trueaxis.identification.paper.solution import PaperResult, sloped
 from trueaxis.identification.paper.squareness import LinesFromAngles, covered
 from trueaxis.identification.paper.steps import SolvedStep
 from trueaxis.identification.report import BlockReport, ComponentReport, Known, LocationReport
@@ -21,11 +20,12 @@ RULES = {
     "known": "given",
 }
 
-
 FROM_ANGLES = (
     "squareness from the angles (Eqs. (39)-(43)) is wrong in general: it does not follow from pitch and yaw, and the "
     "printed sums and signs are not right either (docs/errata.md, E28 to E32); --squareness convention is right"
 )
+SMALLEST_LEAD = 1e-6
+ROUNDING = 1e-9
 
 
 def lever_of(result: PaperResult) -> float:
@@ -241,3 +241,33 @@ def _in_brackets(remark: str) -> str:
 
 def _number(value: float) -> float | None:
     return None if np.isnan(value) else float(value)
+
+
+def reduced(null: FloatArray, first: Sequence[int] = (), rounding: float = ROUNDING) -> tuple[FloatArray, int]:
+    """The same space (n, d) with another basis: reduced echelon form of the transpose; entries below
+    `rounding` times the largest are set to zero.
+
+    first: rows that are to lead a basis vector each where they can; then the largest entry left leads the next one.
+    Returns the basis, each vector 1 at its lead and 0 at the others', and how many of `first` lead one.
+    """
+    rows = null.T.copy()
+    led = 0
+    for column in first:
+        if led < rows.shape[0]:
+            row = led + int(np.abs(rows[led:, column]).argmax())
+            if abs(rows[row, column]) >= SMALLEST_LEAD:
+                _lead(rows, led, row, column)
+                led += 1
+    for place in range(led, rows.shape[0]):
+        row, column = divmod(int(np.abs(rows[place:]).argmax()), rows.shape[1])
+        _lead(rows, place, place + row, column)
+    rows[np.abs(rows) < rounding * np.abs(rows).max(initial=0.0)] = 0.0
+    return rows.T, led
+
+
+def _lead(rows: FloatArray, place: int, row: int, column: int) -> None:
+    """Let the row lead at the column, as the row of that place."""
+    rows[[place, row]] = rows[[row, place]]
+    rows[place] /= rows[place, column]
+    others = np.delete(np.arange(rows.shape[0]), place)
+    rows[others] -= np.outer(rows[others, column], rows[place])

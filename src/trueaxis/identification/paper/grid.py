@@ -1,20 +1,31 @@
-"""Point by point: the positions at which errors are unknowns, and the readings gathered there."""
+"""Point by point: the positions at which errors are unknowns, the readings gathered there, and their equations.
 
+To first order each equation has a coefficient for every node and every location error; `points_remark` says what is
+wrong with the measuring points of runs that give fewer values than they should.
+"""
+
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
+from scipy.sparse import coo_array, csr_array
 
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.machine import IdentifiedMachine, component_axes
+from trueaxis.estimation.first_order import sensed, sensed_at_home
+from trueaxis.estimation.machine import IdentifiedMachine, component_axes, scales
 from trueaxis.estimation.observations import Observations
+from trueaxis.identification.words import enumerated
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
+from trueaxis.measurement.setup import Run
 
 IntArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
-
 DECIMALS = 6  # positions that agree to 1e-6 mm or deg are the same position
+NEGLIGIBLE = 1e-11  # mm per mm: a coefficient below it is rounding
+SAME = 1e-9  # relative to the distance of the points
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -123,3 +134,79 @@ def _cells(observed: Observations, knot: IntArray, grid: Grid) -> Cells:
         scatter=scatter,
         readings=observed.reading.size,
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Equations:
+    """reading = nodes @ errors + located @ location errors, to first order, in scaled unknowns.
+
+    nodes: (n_cells, n_nodes); located: (n_cells, n_location_errors); node_scale, location_scale: mm or rad that one
+    unit of an unknown is. Nodes that are zero or given have no entries.
+    """
+
+    nodes: csr_array
+    located: csr_array
+    node_scale: FloatArray
+    location_scale: FloatArray
+
+
+def equations(
+    machine: IdentifiedMachine, observed: Observations, grid: Grid, cells: Cells, given: BoolArray
+) -> Equations:
+    """The equations of all cells. given: (n_components,), components whose values are known beforehand."""
+    n_components = len(grid.components)
+    scale = scales(machine)
+    rows, columns, values = [], [], []
+    located = np.zeros((cells.run.size, len(machine.location_errors)))
+    component_offset = grid.offset[:-1, np.newaxis]
+    for index, run in enumerate(observed.runs):
+        chosen = np.flatnonzero(cells.run == index)
+        if chosen.size == 0:
+            continue
+        here = sensed(machine, run, cells.positions[:, chosen]) * scale[:, np.newaxis]
+        home = np.repeat(sensed_at_home(machine, run) * scale[:, np.newaxis], chosen.size, axis=1)
+        located[chosen] = (here - home)[n_components:].T
+        node_here = component_offset + cells.knot[grid.axis][:, chosen]
+        node_home = np.repeat(component_offset + grid.home[grid.axis, index][:, np.newaxis], chosen.size, axis=1)
+        for node, value in ((node_here, here), (node_home, -home)):
+            rows.append(np.broadcast_to(chosen, node.shape).ravel())
+            columns.append(node.ravel())
+            values.append(value[:n_components].ravel())
+    shape = (cells.run.size, grid.count)
+    place = (np.concatenate(rows), np.concatenate(columns))
+    matrix = coo_array((np.concatenate(values), place), shape=shape).tocsr()  # entries of one place are added
+    known = grid.fixed | np.repeat(given, np.diff(grid.offset))
+    matrix.data[(np.abs(matrix.data) < NEGLIGIBLE) | known[matrix.indices]] = 0.0
+    matrix.eliminate_zeros()
+    located[np.abs(located) < NEGLIGIBLE] = 0.0
+    node_scale = np.repeat(scale[:n_components], np.diff(grid.offset))
+    return Equations(matrix, csr_array(located), node_scale, scale[n_components:])
+
+
+def points_remark(runs: Sequence[Run]) -> str:
+    """A sentence where the points, seen along the common direction of the runs, coincide or lie on a line; else empty.
+
+    Runs along one direction see a point through its two coordinates across that direction: three rotations and
+    translations need three points that form a triangle when seen so.
+    """
+    directions = {run.direction for run in runs}
+    carriers = {(run.target.on, run.reference.on) for run in runs}
+    if len(runs) < 2 or len(directions) != 1 or len(carriers) != 1 or None in directions:
+        return ""
+    direction = np.array(runs[0].direction)
+    points = np.array([run.target.point for run in runs])
+    across = points - np.outer(points @ direction, direction)
+    size = max(float(np.ptp(points, axis=0).max()), 1.0)
+    along = f"seen along the direction ({', '.join(f'{part:g}' for part in direction)})"
+    same = [
+        f"{a.id} and {b.id}"
+        for (a, at), (b, other) in combinations(zip(runs, across, strict=True), 2)
+        if np.linalg.norm(at - other) <= SAME * size
+    ]
+    names = enumerated([run.id for run in runs])
+    if same:
+        rest = f", so that those of {names} lie on a line" if len(runs) > 2 else ""
+        return f"the points of runs {enumerated(same)} are one point {along}{rest}"
+    if len(runs) > 2 and np.linalg.matrix_rank(across - across[0], tol=SAME * size) < 2:
+        return f"the points of runs {names} lie on a line {along}"
+    return ""

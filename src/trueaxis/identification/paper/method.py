@@ -1,10 +1,12 @@
-"""`identify --method paper`: from readings to tables of every component, step by step."""
+"""`identify --method paper`: from readings to tables of every component, step by step, with their covariance."""
 
 from dataclasses import replace
 
 import numpy as np
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, vstack
 
+from trueaxis.estimation.effects.faults import check_columns
+from trueaxis.estimation.effects.signature import added_by, all_rows, ground_of
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
@@ -17,21 +19,33 @@ from trueaxis.identification.fit_quality import (
     quality,
     stands_still,
 )
-from trueaxis.identification.noise import Noise, noise
 from trueaxis.identification.notes import alignment_notes, dimension_notes, weak_notes
 from trueaxis.identification.paper import describe
-from trueaxis.identification.paper.covariance import covariance_of
-from trueaxis.identification.paper.effects import without_effects
-from trueaxis.identification.paper.equations import equations
-from trueaxis.identification.paper.grid import BoolArray, Cells, grid_and_cells
-from trueaxis.identification.paper.result import PaperOptions, PaperResult
-from trueaxis.identification.paper.solution import Exact, Response, Solution, natural, sloped, solve, tables, with_rule
+from trueaxis.identification.paper.grid import BoolArray, Cells, IntArray, equations, grid_and_cells
+from trueaxis.identification.paper.solution import (
+    Exact,
+    Noise,
+    PaperOptions,
+    PaperResult,
+    Response,
+    Solution,
+    natural,
+    noise,
+    sloped,
+    solve,
+    tables,
+    with_rule,
+)
 from trueaxis.identification.paper.squareness import LinesFromAngles, Squareness, covered, squareness_rule
 from trueaxis.identification.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
 from trueaxis.identification.report import CurveOrderReport, Identification, IdentificationReport
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.bases import HatBasis, unmeasured_basis
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.effect_values import identity
 from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 
 def identify_paper(
@@ -46,7 +60,7 @@ def identify_paper(
     options = options or PaperOptions()
     given = options.known or ErrorValues(machine=machine.name)
     given = replace(given, u={}, undetermined=())
-    observed = without_effects(machine.with_values(given), observed, given)
+    observed = _without_effects(machine.with_values(given), observed, given)
     bare = replace(given, effects=())
     machine = machine.with_values(bare)
     usable, left_out = _usable(observed)
@@ -157,10 +171,10 @@ def _identification(result: PaperResult) -> Identification:
     if result.options.squareness == "from-angles":
         notes += (describe.FROM_ANGLES,)
     orders: tuple[CurveOrderReport, ...] = ()
-    covariance = covariance_of(result)
+    covariance = _covariance_of(result)
     if result.options.curves != "table":
-        from trueaxis.identification.curve_fit import in_polynomials  # noqa: PLC0415
-        from trueaxis.identification.curve_orders import ordered_curves  # noqa: PLC0415  statsmodels takes long to import
+        # statsmodels takes long to import
+        from trueaxis.identification.curve_fit import in_polynomials, ordered_curves  # noqa: PLC0415
 
         tabled = curves
         curves, more, orders = ordered_curves(tabled, result.options.curves)
@@ -205,3 +219,70 @@ def _identification(result: PaperResult) -> Identification:
         caveats=dimension_notes(machine, result.given),
     )
     return Identification(values, report, covariance)
+
+
+def _covariance_of(result: PaperResult) -> Covariance:
+    """Of the tables of every component that was found, zero nodes included, and of the location errors.
+
+    Open are the combinations that no step sees, and each location error with the curves that can take its place: the
+    rule that chooses among these is no measurement, and matters where it moves the tool.
+    """
+    grid, response, machine = result.grid, result.response, result.machine
+    kept = result.steps.reached | grid.fixed
+    names, bases, rows = [], [], []
+    for index, name in enumerate(grid.components):
+        nodes = grid.nodes(index)
+        if name in result.given.motion_errors or not result.steps.reached[nodes].any():
+            continue
+        nodes = nodes[kept[nodes]]
+        names.append(name)
+        bases.append(HatBasis(tuple(grid.knots[grid.axis[index]][nodes - grid.offset[index]].tolist())))
+        rows.append(nodes)
+    order = np.concatenate([*rows, np.zeros(0, dtype=np.int64)])
+    free = np.flatnonzero(result.free)
+    root = None
+    if result.noise.sigma is not None:
+        nodes_by_cell = (response.nodes + response.along @ csr_array(response.located))[order]
+        by_cell = vstack([nodes_by_cell, csr_array(response.located[free])], format="csr")
+        root = csr_array(by_cell.multiply(result.noise.sigma / np.sqrt(result.cells.repeats)[np.newaxis]))
+    unmeasured = [name for name in grid.components if name not in names and name not in result.given.motion_errors]
+    found = Covariance(
+        machine=machine.name,
+        components=tuple(names),
+        bases=tuple(bases),
+        locations=tuple(machine.location_errors[index] for index in free),
+        root=root,
+        open=_open(result, order, free),
+        of_prior=0,
+    )
+    return found.with_open_components({name: unmeasured_basis(machine.travel, name) for name in unmeasured})
+
+
+def _open(result: PaperResult, order: IntArray, free: IntArray) -> FloatArray:
+    """(n_values, d): what no step sees, then each free location error with the nodes that go along with it."""
+    response = result.response
+    unseen = np.vstack([response.null.toarray()[order], response.null_located[free]])
+    along = np.vstack([response.along.toarray()[np.ix_(order, free)], np.eye(free.size)])
+    return np.hstack([unseen, along])
+
+
+def _without_effects(machine: IdentifiedMachine, observed: Observations, given: ErrorValues) -> Observations:
+    """The readings less what effects of known values add to them.
+
+    Raises InputError where the machine has effects of unknown values: a table of one component tells nothing of them;
+    and where the readings lack a column that an effect depends on.
+    """
+    if not isinstance(machine, MachineModel) or not machine.effects:
+        return observed
+    faults = Faults(observed.source)
+    known = {identity(one.effect) for one in given.effects}
+    for effect in machine.effects:
+        if identity(effect) not in known:
+            problem = f"the machine has the effect {effect.label}, whose values the point-by-point method cannot find"
+            faults.add("", problem, "use --method global, or give its values with --known")
+    faults.raise_if_any()
+    ground = ground_of(machine, observed)
+    pairs = [(effect, machine.kinds[effect.kind]) for effect in machine.effects]
+    check_columns(ground, pairs, all_rows(observed, ground))
+    ground = ground_of(machine, replace(observed, context=ground.context.filled()))
+    return replace(observed, reading=observed.reading - added_by(ground, given.effects))

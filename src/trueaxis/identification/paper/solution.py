@@ -1,16 +1,16 @@
 """The point-by-point solution on the exact model: errors at nodes, their uncertainty, what is open."""
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from scipy.sparse import csc_array, csr_array
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
-from trueaxis.identification.fit_quality import RESOLUTION
-from trueaxis.identification.paper.equations import Equations
-from trueaxis.identification.paper.grid import BoolArray, Cells, Grid
-from trueaxis.identification.paper.squareness import Squareness
+from trueaxis.identification.fit_quality import RESOLUTION, FitQuality
+from trueaxis.identification.paper.grid import BoolArray, Cells, Equations, Grid
+from trueaxis.identification.paper.squareness import Choice, Squareness
 from trueaxis.identification.paper.steps import Steps
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import expected_readings
@@ -21,6 +21,7 @@ CONVERGED = 1e-14  # mm, rotations times the lever
 MOST_ITERATIONS = 20
 GROWTH = 4.0  # of the largest residual: the steps lead away from the solution
 OPEN = 1e-9  # share of a node in the null space, scaled, above which it counts as open
+Curves = Literal["table", "polynomial", "held-out"]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -179,3 +180,67 @@ def _largest(matrix: csc_array) -> FloatArray:
     if matrix.shape[1] == 0:
         return np.zeros(matrix.shape[0])
     return np.asarray(matrix.max(axis=1).todense()).ravel()
+
+
+@dataclass(frozen=True, slots=True)
+class PaperOptions:
+    """squareness: the rule for the location errors; known: values given beforehand (dimensions too);
+    noise_um: standard deviation of a reading, micrometres; curves: how components are given back.
+    """
+
+    squareness: Choice = "convention"
+    known: ErrorValues | None = None
+    noise_um: float | None = None
+    curves: Curves = "table"
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """Standard deviation of a reading, mm (None: unknown); the degrees of freedom left; where it is from."""
+
+    sigma: float | None
+    freedom: int
+    origin: str
+
+    @property
+    def um(self) -> float | None:
+        """In micrometres."""
+        return None if self.sigma is None else self.sigma * 1e3
+
+
+def noise(squares: float, readings: int, rank: int, given_um: float | None, origin: str = "given") -> Noise:
+    """From a sum of squared residuals (mm^2) of readings that determine `rank` unknowns, unless it is given."""
+    freedom = readings - rank
+    if given_um is not None:
+        return Noise(given_um * 1e-3, freedom, origin)
+    if freedom > 0:
+        return Noise(float(np.sqrt(squares / freedom)), freedom, f"from the residuals, {freedom} degrees of freedom")
+    return Noise(None, freedom, "unknown: no reading is left over to estimate it from, and none was given")
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class PaperResult:
+    """Everything that the steps gave, for the report: see the records.
+
+    u_nodes, u_locations: standard uncertainties, NaN where open, None where the noise is unknown; free:
+    (n_location_errors,), those not given; used: readings in steps.
+    """
+
+    machine: IdentifiedMachine
+    observed: Observations
+    left_out: tuple[str, ...]
+    given: ErrorValues
+    options: PaperOptions
+    grid: Grid
+    cells: Cells
+    equations: Equations
+    steps: Steps
+    response: Response
+    rule: Squareness
+    free: BoolArray
+    solution: Solution
+    noise: Noise
+    u_nodes: FloatArray | None
+    u_locations: FloatArray | None
+    residual_rms: float
+    quality: FitQuality

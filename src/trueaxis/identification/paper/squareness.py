@@ -1,4 +1,8 @@
-"""Squareness from the identified curves: Sect. 3.6 of the paper, or the least-squares convention of ISO 230-1."""
+"""Squareness from the identified curves: Sect. 3.6 of the paper, or the least-squares convention of ISO 230-1.
+
+ISO 230-1 reads the squareness off the least-squares reference lines of two axes, and the straightness from those
+lines: a slope common to both is then part of the squareness alone.
+"""
 
 from dataclasses import dataclass
 from itertools import combinations
@@ -8,11 +12,10 @@ import numpy as np
 
 from trueaxis.error_name import ROTATIONS
 from trueaxis.estimation.machine import IdentifiedMachine
-from trueaxis.identification.axis_lines import AxisLine, angle_matrix, axis_lines
 from trueaxis.identification.paper.grid import BoolArray, Grid, IntArray
-from trueaxis.identification.straightness import slope_weights
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.view import View
 
 Choice = Literal["convention", "from-angles", "known"]
 NEGLIGIBLE = 1e-12
@@ -54,6 +57,18 @@ class LevelLines:
     def correction(self, nodes: FloatArray, locations: FloatArray) -> FloatArray:  # noqa: ARG002
         """The slopes that the location errors take over."""
         return self.response @ nodes
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisLine:
+    """Direction in which an axis moves its body, seen from the bed, to first order: ideal + by_location @ values.
+
+    ideal: (3,); by_location: (3, n_location_errors), 1/rad.
+    """
+
+    axis: str
+    ideal: FloatArray
+    by_location: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -179,3 +194,39 @@ def _reached_knots(grid: Grid, component: int, reached: BoolArray) -> tuple[IntA
     has = reached[nodes] | grid.fixed[nodes]
     place = int(np.count_nonzero(has[: grid.reference[axis]]))
     return nodes[has], grid.knots[axis][has], place
+
+
+def axis_lines(machine: IdentifiedMachine) -> tuple[AxisLine, ...]:
+    """The lines of the linear axes, each moved from 0 to its farthest position, rotary axes at 0."""
+    return tuple(_axis_line(machine, axis) for axis in machine.axes if axis in LINEAR)
+
+
+def angle_matrix(lines: tuple[AxisLine, ...]) -> FloatArray:
+    """(pairs, n_location_errors): what each location error adds to the scalar product of two axes' directions.
+
+    The scalar product is pi/2 minus the angle. Pairs in the order of `itertools.combinations`.
+    """
+    rows = [a.by_location.T @ b.ideal + b.by_location.T @ a.ideal for a, b in combinations(lines, 2)]
+    return np.array(rows).reshape(len(rows), lines[0].by_location.shape[1] if lines else 0)
+
+
+def _axis_line(machine: IdentifiedMachine, axis: str) -> AxisLine:
+    far = max(machine.travel[axis], key=abs) or 1.0
+    positions = np.zeros((len(machine.axes), 2))
+    positions[machine.axes.index(axis), 1] = far
+    origin = np.zeros((3, 1))
+    views: tuple[View, ...] = ("tool_in_bed", "workpiece_in_bed")
+    for view in views:
+        ideal = machine.view_ideal(view, positions, origin)
+        moved = (ideal[:, 1] - ideal[:, 0]) / far
+        if moved.any():
+            by_error = machine.view_sensitivity(view, positions, origin)[:, len(machine.components) :]
+            return AxisLine(axis, moved, (by_error[:, :, 1] - by_error[:, :, 0]) / far)
+    return AxisLine(axis, np.zeros(3), np.zeros((3, len(machine.location_errors))))
+
+
+def slope_weights(positions: FloatArray) -> FloatArray:
+    """(n,): weights whose scalar product with values at the positions is the slope of their least-squares line."""
+    centred = positions - positions.mean()
+    total = float(centred @ centred)
+    return centred / total if total > 0.0 else np.zeros_like(centred)

@@ -11,8 +11,7 @@ from scipy.sparse import csc_array, csr_array, hstack
 
 from trueaxis.blocks import solution_order
 from trueaxis.estimation.observations import Observations
-from trueaxis.identification.paper.equations import Equations
-from trueaxis.identification.paper.grid import BoolArray, Cells, Grid, IntArray
+from trueaxis.identification.paper.grid import BoolArray, Cells, Equations, Grid, IntArray
 from trueaxis.identification.paper.pseudo_inverse import PseudoInverse, TooLargeError, pseudo_inverse
 from trueaxis.io.faults import Faults
 

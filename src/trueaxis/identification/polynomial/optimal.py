@@ -1,14 +1,23 @@
-"""The optimal polynomial of an error component (Sects. 4.2-4.3 of the paper)."""
+"""The optimal polynomial of an error component (Sects. 4.2-4.3 of the paper), by stepwise regression, and its verdict.
+
+Stepwise by Akaike's criterion, as R's step(direction = "both") does it.
+"""
+
+import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trueaxis.identification.polynomial.records import OptimalFit, PolynomialFit, Step, StepReason
-from trueaxis.identification.polynomial.reduced import ReducedSystem, reduced_system
-from trueaxis.identification.polynomial.regression import empty_fit, fit_terms
-from trueaxis.identification.polynomial.samples import Samples, checked_samples
-from trueaxis.identification.polynomial.stepwise import step_by_aic
-from trueaxis.identification.polynomial.verdict import verdict_of
+from trueaxis.identification.polynomial.records import (
+    OptimalFit,
+    PolynomialFit,
+    Samples,
+    Step,
+    StepReason,
+    checked_samples,
+)
+from trueaxis.identification.polynomial.regression import ReducedSystem, empty_fit, fit_terms, reduced_system
 
 MAX_ORDER = 7
 """The order of the paper's polynomials before optimisation (Eq. 49)."""
@@ -75,7 +84,7 @@ def fit_samples(
     if before.f_p_value < alpha:
         after, more = _reduce_until_significant(samples, system, before.powers, alpha)
         steps += more
-    passed, verdict = after.significant(alpha), verdict_of(before, after, alpha)
+    passed, verdict = after.significant(alpha), _verdict_of(before, after, alpha)
     return OptimalFit(
         samples=samples,
         alpha=alpha,
@@ -116,3 +125,73 @@ def _check_options(max_order: int, order: int | None, alpha: float) -> None:
         raise ValueError("the order of a polynomial without constant term is at least 1")
     if not 0 < alpha < 1:
         raise ValueError(f"the significance level alpha lies between 0 and 1, not at {alpha}")
+
+
+def step_by_aic(
+    system: ReducedSystem, start: tuple[int, ...], scope: tuple[int, ...]
+) -> tuple[tuple[int, ...], tuple[Step, ...]]:
+    """Powers at which no term put in (out of `scope`) or taken out lowers the AIC, and the steps there.
+
+    Of equally good moves the first counts, staying before leaving out before putting in, as in R. Every move
+    lowers the AIC, so that no model comes twice and the search ends.
+    """
+    powers, criterion = start, system.aic(start)
+    steps: list[Step] = []
+    while True:
+        candidates = [(system.aic(to), to, change) for change, to in _neighbours(powers, scope)]
+        best, to, change = min(candidates, key=lambda candidate: candidate[0], default=(criterion, powers, ""))
+        if best >= criterion:
+            return powers, tuple(steps)
+        powers, criterion = to, best
+        steps.append(Step("AIC", change, powers, criterion))
+
+
+def _neighbours(powers: tuple[int, ...], scope: tuple[int, ...]) -> Iterator[tuple[str, tuple[int, ...]]]:
+    for power in powers:
+        yield f"-{power}", tuple(other for other in powers if other != power)
+    for power in scope:
+        if power not in powers:
+            yield f"+{power}", tuple(sorted((*powers, power)))
+
+
+def _verdict_of(before: PolynomialFit, after: PolynomialFit, alpha: float) -> str:
+    """One sentence on what the optimisation found."""
+    if not after.powers:
+        return (
+            f"no polynomial describes the values at the {alpha:g} level "
+            f"(F test of the order-{len(before.powers)} equation: p = {before.f_p_value:.3g}): it is empty"
+        )
+    kept = ", ".join(f"x^{power}" if power > 1 else "x" for power in after.powers)
+    return (
+        f"{len(after.powers)} of {len(before.powers)} terms kept ({kept}); "
+        f"F test p = {after.f_p_value:.3g}, largest t test p = {after.p_values.max():.3g}, both below {alpha:g}"
+    )
+
+
+def statistics_table(fit: OptimalFit, unit: str, units_per_si: float) -> str:
+    """Statistics before and after optimisation side by side, after the paper's Fig. 15.
+
+    unit: what the residual standard error is shown in (um, urad); units_per_si: how many of them make one mm
+    or rad. Where the covariance of the values is known it is in units of their standard uncertainty.
+    """
+    both = (fit.before, fit.after)
+    if fit.samples.whitening is not None:
+        unit, units_per_si = "in u", 1.0
+    rows: list[list[str]] = [["", "before", "after"], ["terms", *(str(len(side.powers)) for side in both)]]
+    for label, name, factor in (
+        (f"residual standard error ({unit})", "residual_standard_error", units_per_si),
+        ("R^2 (uncentred)", "r_squared", 1.0),
+        ("adjusted R^2", "adjusted_r_squared", 1.0),
+        ("AIC", "aic", 1.0),
+        ("p of the equation (F)", "f_p_value", 1.0),
+    ):
+        rows.append([label, *(_figure(getattr(side, name) * factor) for side in both)])
+    sides = [dict(zip(side.powers, side.p_values, strict=True)) for side in both]
+    for power in fit.before.powers:
+        rows.append([f"p of x^{power} (t)", *(_figure(side.get(power, math.nan)) for side in sides)])
+    return "\n".join(f"{label:<32}{left:>14}{right:>14}" for label, left, right in rows)
+
+
+def _figure(value: float) -> str:
+    """A dash where an equation without terms has no such figure."""
+    return f"{value:.5g}" if math.isfinite(value) else "-"
