@@ -10,10 +10,16 @@ import pytest
 import sympy as sp
 
 from tests.machines import DMU60P, FIVE_AXIS, machine_at, machine_of, serial_text
-from trueaxis.codegen.c_printer import CPrinter
-from trueaxis.codegen.c_source import c_header, c_source, header_context, source_context
-from trueaxis.codegen.control_source import control_context, control_header_context, control_sources
-from trueaxis.codegen.horner import horner_coefficients
+from trueaxis.codegen.c_source import (
+    c_header,
+    c_source,
+    control_context,
+    control_header_context,
+    control_sources,
+    header_context,
+    source_context,
+)
+from trueaxis.codegen.printers import CPrinter, horner_coefficients
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.library import derive_routines
 from trueaxis.derivation.routine import Argument, Routine, build

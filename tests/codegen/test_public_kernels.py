@@ -14,8 +14,7 @@ import pytest
 from tests.codegen.test_numpy_source import executed, source
 from tests.derivation.test_routine import models
 from tests.machines import ROOT
-from trueaxis.codegen.c_source import c_header, c_source
-from trueaxis.codegen.control_source import control_sources
+from trueaxis.codegen.c_source import c_header, c_source, control_sources
 from trueaxis.machine.spec_label import spec_label
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")

@@ -5,7 +5,7 @@ import ast
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trueaxis.codegen.python_literal import literal
+from trueaxis.codegen.numpy_source import literal
 
 SCALARS = st.text("abc 'q\\", max_size=8) | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.none()
 RECORDS = st.recursive(

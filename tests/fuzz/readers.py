@@ -19,7 +19,7 @@ import polars as pl
 from tests.fuzz import expressions, mutate
 from tests.fuzz.seeds import TINY
 from tests.machines import ROOT
-from trueaxis.codegen.effect_check import faults_of_kinds
+from trueaxis.codegen.check import faults_of_kinds
 from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.compensation.offset_files import read_offsets
 from trueaxis.compensation.tool_files import read_tools

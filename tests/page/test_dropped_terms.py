@@ -11,7 +11,7 @@ import pytest
 from tests.machines import ROOT
 from tests.page.chain_names import column
 from tests.page.pages import derived, names, page
-from trueaxis.codegen.dropped_terms import DIMENSION
+from trueaxis.codegen.chain_section import DIMENSION
 
 BATCHES = 20
 SAID = re.compile(

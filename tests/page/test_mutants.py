@@ -17,7 +17,7 @@ from tests.page.mutants import mutants
 from tests.page.pages import derived, names, page, rows
 from tests.page.rows import cells_of, rows_of
 from trueaxis.codegen import chain_section, equations, latex, paper_section
-from trueaxis.codegen.dropped_terms import DroppedTerms
+from trueaxis.codegen.chain_section import DroppedTerms
 from trueaxis.derivation import branch_steps, first_order
 
 KINDS = {

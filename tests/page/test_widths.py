@@ -8,7 +8,7 @@ from matplotlib.mathtext import MathTextParser
 
 from tests.page.pages import page
 from tests.page.rows import rows_of
-from trueaxis.codegen.rows import WIDEST, block_width, broken, width
+from trueaxis.codegen.latex import WIDEST, block_width, broken, width
 
 PIXELS, PIXELS_PER_EM = 840, 20.4  # GitHub's column; an em of maths beside DejaVu Sans, measured in a browser
 _FONT = FontProperties(size=10, math_fontfamily="cm")

@@ -1,4 +1,7 @@
-"""The C kernels: one function per routine, whose loop over the points a compiler vectorises."""
+"""The C kernels: one function per routine, whose loop over the points a compiler vectorises; and those of a control.
+
+For the cycle of a control they take one point a call, and give the kinematics of the machine as it is.
+"""
 
 import textwrap
 from collections.abc import Iterable, Mapping
@@ -8,28 +11,27 @@ from typing import Any
 import sympy as sp
 
 from trueaxis.c_prefix import c_prefix
-from trueaxis.codegen.c_printer import CPrinter
 from trueaxis.codegen.meta import ABI, spec_name
-from trueaxis.codegen.names import rows_text, variable_names
 from trueaxis.codegen.paper_layout import TITLE
+from trueaxis.codegen.printers import CPrinter, rows_text, variable_names
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.functions import Sign, Step
 from trueaxis.derivation.routine import Argument, Assignment, Routine
 from trueaxis.derivation.symbols import describe
-from trueaxis.machine.machine import ROTARY, Machine
+from trueaxis.machine.machine import LINEAR, ROTARY, Machine
 
 # Points per block where cosines and sines are computed ahead of the arithmetic: they stay in the first-level cache.
 BLOCK = 512
-
 _WIDTH = 116
+
 # What the functions use beside the arguments' names; the macros of stddef.h and math.h that a name may not be.
 _TAKEN = frozenset(
     "n stride start count i j block size_t ptrdiff_t wchar_t max_align_t cos sin sqrt exp tanh fabs step sign".split()
 ) | frozenset(
     "NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT math_errhandling offsetof".split()
 )
-
 _HELPERS = {"sign": Sign, "step": Step}
+_DEVIATION, _CORRECTION = "tool_in_workpiece_deviation", "correction"
 
 
 @dataclass(frozen=True)
@@ -230,3 +232,50 @@ def _comment(routine: Routine, layout: Layout) -> Iterable[str]:
 def _commentable(text: str) -> str:
     """Text that ends no comment and starts none."""
     return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
+
+
+def control_sources(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, str]:
+    """control.c and control.h by name; none of a machine without three linear axes, whose tool cannot be moved freely.
+
+    spec: how it is named there. Same input, same bytes.
+    """
+    if _CORRECTION not in {routine.name for routine in routines}:
+        return {}
+    contexts = {
+        "control.c": control_context(machine, routines, spec),
+        "control.h": control_header_context(machine, routines, spec),
+    }
+    return {name: environment().get_template(f"{name}.j2").render(context) for name, context in contexts.items()}
+
+
+def control_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
+    """The variables of control.c.j2."""
+    chosen = _of_one_point(machine, routines)
+    return _shared(machine, spec) | {
+        "functions": [function_text(_prefix(machine), routine, OF_ONE_POINT) for routine in chosen],
+        "helpers": helpers(chosen),
+        "linear": [machine.axes.index(axis) for axis in machine.axes if axis in LINEAR],
+    }
+
+
+def control_header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
+    """The variables of control.h.j2."""
+    chosen = _of_one_point(machine, routines)
+    return _shared(machine, spec) | {
+        "functions": [declaration(_prefix(machine), routine, OF_ONE_POINT) for routine in chosen],
+        "legend": legend(machine),
+    }
+
+
+def _shared(machine: Machine, spec: str) -> dict[str, Any]:
+    return shared_context(machine, spec) | {"axes": len(machine.axes), "components": len(machine.components)}
+
+
+def _prefix(machine: Machine) -> str:
+    return f"{c_prefix(machine.name)}_point"
+
+
+def _of_one_point(machine: Machine, routines: tuple[Routine, ...]) -> list[Routine]:
+    """The exact deviation, the moves that take it back, and the terms of effects on component errors."""
+    effects = {f"effect_{name}" for name, kind in machine.kinds.items() if kind.place == "component"}
+    return [routine for routine in routines if routine.name in {_DEVIATION, _CORRECTION} | effects]

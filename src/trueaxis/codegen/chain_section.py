@@ -1,22 +1,37 @@
-"""The sections of equations.md on the chain: factors, products body by body, the tool point, what first order drops."""
+"""The sections of equations.md on the chain: factors, products body by body, the tool point, what first order drops.
 
+How large that is, for errors of the sizes that are expected before anything is measured, the emitted kernels
+themselves say: the exact deviation less the one to first order.
+"""
+
+import itertools
+import random
 from collections.abc import Iterator
 from dataclasses import dataclass
+from types import ModuleType
 
+import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
-from trueaxis.codegen.latex import Latex
-from trueaxis.codegen.rows import WIDEST, block_width, broken
+from trueaxis.codegen.latex import WIDEST, Latex, block_width, broken
+from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation import symbols
 from trueaxis.derivation.branch_steps import BranchStep, Columns, branch_steps
 from trueaxis.derivation.chain import Joint, Vector, chains, matrix
 from trueaxis.derivation.first_order import FirstOrder, first_order
+from trueaxis.derivation.routine import Routine
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import ROTARY, Machine
+from trueaxis.machine.prior import Prior
 
 AXES = ("x", "y", "z")
 _PARTS = ("p", "pe", "s", "se")
 Row = str  # of an `aligned` block
+FloatArray = npt.NDArray[np.float64]
+DRAWS = 64  # sets of signs: every error has its expected size, its sign is drawn
+DIMENSION = 100.0  # mm, of every home position: the spec names them and gives no numbers
+_EXACT, _FIRST = "tool_in_workpiece_deviation", "tool_in_workpiece_deviation_first_order"
 
 
 @dataclass(frozen=True)
@@ -182,3 +197,47 @@ def _turned(back: sp.Matrix, latex: Latex) -> Iterator[Row]:
     own = latex.with_names(names)
     for i, row in enumerate(AXES):
         yield broken(f"d_{row}", own.terms((back * vector)[i]))
+
+
+@dataclass(frozen=True)
+class DroppedTerms:
+    """Micrometres, over all drawn signs and the corners and the middle of the travels: rms of the deviation to first
+    order, rms and largest length of what it lacks.
+    """
+
+    deviation: float
+    rms: float
+    largest: float
+
+
+def dropped_terms(machine: Machine, routines: tuple[Routine, ...]) -> DroppedTerms:
+    """The size of the dropped terms at the tool frame's origin, errors of the default sizes of [prior]."""
+    module = ModuleType("kernels")
+    exec(numpy_source(machine, tuple(r for r in routines if r.name in (_EXACT, _FIRST))), module.__dict__)
+    positions = _positions(machine)
+    drawn = random.Random(1)
+    prior = Prior()  # not the spec's own: editing [prior] asks for no new files
+    exact, first = [], []
+    for _ in range(DRAWS):
+        errors = [drawn.choice((-1, 1)) * prior.of_component(name) for name in machine.components]
+        parameters = [DIMENSION] * len(machine.dimensions)
+        parameters += [
+            drawn.choice((-1, 1)) * prior.of_location(name, machine.parameter_unit(name))
+            for name in machine.location_errors
+        ]
+        arguments = (positions, np.array(errors)[:, None], np.array(parameters), np.zeros((3, 1)))
+        exact.append(getattr(module, _EXACT)(*arguments))
+        first.append(getattr(module, _FIRST)(*arguments))
+    lengths = np.linalg.norm(np.array(exact) - np.array(first), axis=1)
+    deviation = np.linalg.norm(np.array(first), axis=1)
+    return DroppedTerms(1e3 * _rms(deviation), 1e3 * _rms(lengths), 1e3 * float(lengths.max()))
+
+
+def _positions(machine: Machine) -> FloatArray:
+    corners = list(itertools.product(*(machine.travel[axis] for axis in machine.axes)))
+    middle = [sum(machine.travel[axis]) / 2 for axis in machine.axes]
+    return np.array([*corners, middle]).T
+
+
+def _rms(lengths: FloatArray) -> float:
+    return float(np.sqrt(np.mean(lengths**2)))

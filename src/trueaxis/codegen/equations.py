@@ -1,24 +1,23 @@
-"""equations.md: the derivation of one machine as a person reads it, on a page that GitHub renders."""
+"""equations.md: the derivation of one machine as a person reads it, on a page that GitHub renders.
 
-from collections.abc import Mapping
+Its table Notation has the signs that are neither errors nor dimensions of the machine.
+"""
+
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
 import sympy as sp
 
-from trueaxis.codegen.chain_section import Row, chain_texts
-from trueaxis.codegen.dropped_terms import DRAWS, dropped_terms
+from trueaxis.codegen.chain_section import DRAWS, Row, chain_texts, dropped_terms
 from trueaxis.codegen.effect_section import effect_symbols, effect_texts
-from trueaxis.codegen.latex import Latex, joined
+from trueaxis.codegen.latex import WIDEST, Latex, broken, joined, width
 from trueaxis.codegen.meta import ABI, spec_name
-from trueaxis.codegen.notation import notation
 from trueaxis.codegen.paper_layout import TITLE, beside
+from trueaxis.codegen.paper_notation import kinds_of_table_1
 from trueaxis.codegen.paper_section import is_the_papers, paper_part
-from trueaxis.codegen.paper_tables import kinds_of_table_1
-from trueaxis.codegen.rows import WIDEST, broken, width
-from trueaxis.codegen.system_section import motion_text, system_text
+from trueaxis.codegen.system_section import combination_text, motion_text, system_text
 from trueaxis.codegen.templates import environment
-from trueaxis.codegen.undetermined import combination_text
 from trueaxis.derivation import symbols
 from trueaxis.derivation.first_order import first_order
 from trueaxis.derivation.model import DerivedModel
@@ -27,6 +26,43 @@ from trueaxis.machine.machine import ROTARY, Body, Machine
 from trueaxis.machine.topology import lower_body_array, tool_senses
 
 _NAMES = 9.0  # em, of the first two columns of the table of sensitivities
+Entry = tuple[str, str]  # sign, meaning
+
+_PAPER: tuple[Entry, ...] = (
+    ("$h$", "number of a given position; $h = 0$ at home"),
+    ("$x_h$, $y_h$, $z_h$", "positions of X, Y, Z there, mm"),
+    (
+        "$P_{lh}$, $P_{kh}$",
+        "points of worktable and tool in the bed frame, $(x_{lh}, y_{lh}, z_{lh}, 1)^T$ and $k$ alike",
+    ),
+    (
+        "$r_l$, $r_k$",
+        "the same points in the frames of the Y and the Z carriage, mm; coordinates $r_{lx}$, $r_{ky}$, ...",
+    ),
+    ("$r_W$, $r_T$", "the same points in the workpiece frame (WCS) and the tool frame (TCS), mm; $r_T$ is $P_T$"),
+    ("$r_{k1}$, $r_{l4}$, ...", "points of the runs, with their numbers; point $i$ is any of them"),
+    (
+        "$S^l_{lh}$, $S^l_{jh}$, $S^l_{kh}$",
+        "ideal motion of the Y, X and Z carriage: the translation in their $[SIJ]_s$",
+    ),
+    ("$L_{1xh}$", "displacement read at point 1 along x, from home to position $h$, mm"),
+    ("$\\delta_{ih}$, $\\theta$", "straightness of a linkage line, mm, and its angle in its plane, rad"),
+    ("$b_k$", "right-hand side of row $k$ of a system"),
+    ("$u$, $v$", "two of the directions x, y, z: $v$ along an axis, $u$ across it"),
+    ("$v_i$, $n$", "the $i$-th of the $n$ given positions of axis $v$, mm; $v_0 = 0$ is home"),
+    ("$P_{uv}$, $P_{uvi}$", "offset in direction $u$ of the line of axis $v$, at position $h$ and at $v_i$, mm"),
+    ("$`P'_{uv}`$, $c_{uv0}$, $c_{uv1}$", "straight line fitted to $P_{uv}$, its offset (mm) and slope"),
+)
+
+_SYSTEMS: tuple[Entry, ...] = (
+    ("$L_k$, $b_k$", "reading $k$ of a system, less that of the error-free machine, and its right-hand side, mm"),
+    ("$r_{T1}$, $r_{W1}$, ...", "points of the runs on the tool and on the workpiece, in their frames, mm"),
+)
+
+_MOTIONS: tuple[Entry, ...] = (
+    ("$r_W$, $r_T$", "points in the workpiece frame and in the tool frame, mm"),
+    (r"$\Delta x$, $\Delta y$, $\Delta z$", "displacement since home; under Compensation moves of the linear axes, mm"),
+)
 
 
 def equations_page(model: DerivedModel, spec: str = "") -> str:
@@ -54,7 +90,7 @@ def page_context(model: DerivedModel, spec: str = "") -> dict[str, Any]:
         "not_in_files": [
             s(axis).name for axis in machine.axes if axis in ROTARY for s in (symbols.cosine, symbols.sine)
         ],
-        "notation": list(notation(model, paper=paper)),
+        "notation": list(_notation(model, paper=paper)),
         "true_rotation": machine.true_rotation,
         "chain": chain_texts(machine, latex),
         "dropped": _dropped(model),
@@ -133,3 +169,51 @@ def _dropped(model: DerivedModel) -> Mapping[str, str]:
 
 def _operations(per_point: int, per_call: int) -> str:
     return f"{per_point} ({per_call})" if per_call else f"{per_point}"
+
+
+def _notation(model: DerivedModel, *, paper: bool) -> Iterator[Entry]:
+    """The entries of a page."""
+    machine = model.machine
+    yield "$I$, $J$", "a body and the body that stands on it: $[SIJ]$ takes coordinates in $J$ to coordinates in $I$"
+    yield "$[SBW]$, $[SBT]$, $[SBk]$", _ends(machine)
+    yield "$M$", "error-free transform from the tool frame to the workpiece frame"
+    yield (
+        r"$\Theta_k$, $D_k$",
+        "small rotation (rad) and displacement (mm) of body $k$ in the bed frame, by all errors below it",
+    )
+    yield (
+        "motion errors, location errors",
+        "the error motions of an axis and the constant errors of its place (ISO 230-1)",
+    )
+    yield "view", "a point of one body in the frame of another: `tool_in_bed` is a point of the tool in the bed frame"
+    yield "$P_T$, $P_T^W$", _tool_point(paper)
+    yield "$P$", "error-free tool point in the bed frame"
+    yield (
+        "$d$",
+        "deviation of the tool point in the workpiece frame, mm; under Compensation the displacement that is wanted",
+    )
+    yield (
+        "$P_W$, $P_E$, $l_1$",
+        "workpiece ball of a ball bar, vector from it to the tool ball, ideal length of the bar, mm",
+    )
+    yield "$E$, $E_v$", "positioning error along the bar and its vector, mm"
+    if paper:
+        yield from _PAPER
+        yield r"$\Delta P$", "displacement since home (11)"
+        yield r"$\Delta x$, $\Delta y$, $\Delta z$", "moves of the linear axes, mm"
+        return
+    yield from _MOTIONS
+    if model.identification and model.identification.systems:
+        yield from _SYSTEMS
+
+
+def _ends(machine: Machine) -> str:
+    return (
+        f"$B$ is the bed (body 1), $W$ the workpiece (body {machine.workpiece}), $T$ the tool (body {machine.tool}), "
+        "$k$ any body"
+    )
+
+
+def _tool_point(paper: bool) -> str:
+    own = ", in the paper $(X_T, Y_T, Z_T, 1)^T$" if paper else ""
+    return f"a point in the tool frame, $(r_x, r_y, r_z, 1)^T${own}, and the same point in the workpiece frame"

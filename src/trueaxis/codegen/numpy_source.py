@@ -1,22 +1,25 @@
-"""The NumPy kernels: one function per routine, in blocks of points that stay in cache."""
+"""The NumPy kernels: one function per routine, in blocks of points that stay in cache.
+
+Their record META is a Python literal that a person reads: what fits a line stands on one.
+"""
 
 import textwrap
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from trueaxis.codegen.meta import ABI, meta, spec_name
-from trueaxis.codegen.names import rows_text, variable_names
 from trueaxis.codegen.paper_layout import TITLE
-from trueaxis.codegen.python_literal import literal
-from trueaxis.codegen.python_printer import PythonPrinter
+from trueaxis.codegen.printers import PythonPrinter, rows_text, variable_names
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.routine import Argument, Assignment, Routine
 from trueaxis.machine.machine import ROTARY, Machine
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.
 BLOCK = 8192
-
 _TAKEN = frozenset(("np", "at", "start", "stop", "block", "n"))  # what the functions use beside their arguments
+_WIDTH = 118
+_STEP = 4
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,3 +153,35 @@ def _returned(argument: Argument) -> str:
     if len(argument.shape) == 1:
         return argument.name
     return f"{argument.name}.reshape({', '.join(str(size) for size in argument.shape)}, n)"
+
+
+def literal(value: object, indent: int = 0, before: int = 0) -> str:
+    """The literal of dicts, lists and scalars; before: columns taken on its first line by what leads to it."""
+    flat = repr(value)
+    if not isinstance(value, dict | list) or not value or max(indent, before) + len(flat) < _WIDTH:
+        return flat
+    pad = " " * (indent + _STEP)
+    ends = "{}" if isinstance(value, dict) else "[]"
+    if isinstance(value, list) and not any(isinstance(item, dict | list) for item in value):
+        body = list(_filled(value, _WIDTH - len(pad)))
+    else:
+        items = value.items() if isinstance(value, dict) else (("", item) for item in value)
+        body = [_entry(key, item, indent + _STEP) for key, item in items]
+    inner = "\n".join(f"{pad}{line}" for line in body)
+    return f"{ends[0]}\n{inner}\n{' ' * indent}{ends[1]}"
+
+
+def _entry(key: object, item: object, indent: int) -> str:
+    head = f"{key!r}: " if key else ""
+    return f"{head}{literal(item, indent, indent + len(head) + 1)},"
+
+
+def _filled(items: list[object], width: int) -> Iterator[str]:
+    """As many items to a line as fit."""
+    lines = [""]
+    for item in items:
+        text = f"{item!r},"
+        if lines[-1] and len(lines[-1]) + 1 + len(text) > width:
+            lines.append("")
+        lines[-1] += f" {text}" if lines[-1] else text
+    yield from lines

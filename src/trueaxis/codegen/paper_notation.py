@@ -1,16 +1,22 @@
-"""The paper's notation: points r_k and r_l in the frames of the carriages, positions with the index h, readings L."""
+"""The paper's notation: points r_k and r_l in the frames of the carriages, positions with the index h, readings L.
+
+In it, what the kernels of the paper's systems take and return, and Tables 1, 3, 4 and 5.
+"""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.codegen.latex import Latex
-from trueaxis.codegen.paper_layout import Pattern, Reading
+from trueaxis.codegen.latex import Latex, joined
+from trueaxis.codegen.paper_layout import Pattern, Reading, System
+from trueaxis.codegen.system_section import point_name
 from trueaxis.derivation import symbols
-from trueaxis.derivation.chain import Vector
+from trueaxis.derivation.chain import Vector, chains, matrix
+from trueaxis.derivation.model import DerivedModel, system_name
 from trueaxis.derivation.motion import MotionEquation, motion_equation
+from trueaxis.derivation.systems import IdentificationSystem, Point, RunPattern
 from trueaxis.effects.latex import component_latex
 from trueaxis.machine.machine import Body, Machine
 from trueaxis.machine.topology import branches
@@ -18,6 +24,21 @@ from trueaxis.view import Carrier
 
 _POINT = re.compile(r"r\^?([XYZ]*)_([kl]\w*)([xyz])")
 AXES = "xyz"
+HOME = {"tool": ("k", "q_T"), "workpiece": ("l", "q_w")}
+"""Letter of a carriage's points, and the home of the frame that stands on the carriage."""
+
+_TABLE_1 = (
+    ("positioning error", ("EXX", "EYY", "EZZ")),
+    ("straightness error, x direction", ("", "EXY", "EXZ")),
+    ("straightness error, y direction", ("EYX", "", "EYZ")),
+    ("straightness error, z direction", ("EZX", "EZY", "")),
+    ("roll error", ("EAX", "EBY", "ECZ")),
+    ("pitch error", ("EBX", "EAY", "EAZ")),
+    ("yaw error", ("ECX", "ECY", "EBZ")),
+    ("XY perpendicularity error", ("eps_xy", "", "")),
+    ("XZ perpendicularity error", ("eps_xz", "", "")),
+    ("YZ perpendicularity error", ("eps_yz", "", "")),
+)
 
 
 @dataclass(frozen=True)
@@ -91,3 +112,95 @@ def monomial_terms(columns: Mapping[str, sp.Expr], latex: Latex) -> list[str]:
     for monomial, numbers in by_monomial(columns):
         terms += latex.linear({name: number * monomial for name, number in numbers.items()})
     return terms
+
+
+def kernel_lines(
+    model: DerivedModel, pattern: Pattern, system: System, forms: list[Form], latex: Latex
+) -> Iterator[str]:
+    """A sentence per kernel of a system, in the order of the system's unknowns: readings, points, order of return."""
+    assert model.identification is not None
+    numbered = dict(enumerate(model.identification.systems))
+    own = {k: each for k, each in numbered.items() if set(each.unknowns) <= set(system.unknowns)}
+    runs = {run.name: run for run in model.runs}
+    for k, each in sorted(own.items(), key=lambda item: system.unknowns.index(item[1].unknowns[0])):
+        taken = [system.readings.index(_reading(runs[name])) for name in each.runs]
+        readings = ", ".join(f"${reduced(system.readings[n], forms[n], latex)}$" for n in taken)
+        points = ", ".join(_points(each, pattern, [runs[name] for name in each.runs]))
+        unknowns = ", ".join(f"${latex.symbol(name)}$" for name in each.unknowns)
+        several = " in this order" if len(each.unknowns) > 1 else ""
+        yield (
+            f"`{system_name(k)}` takes the displacements less those of the error-free machine, {readings}, "
+            f"and the points in TCS and WCS, {points}; it returns {unknowns}{several}."
+        )
+
+
+def reduced(reading: Reading, form: Form, latex: Latex) -> str:
+    """A displacement less that of the error-free machine: L_{1xh} - x_h."""
+    return joined([f"+ {reading.latex}", *latex.terms(-form.ideal)])
+
+
+def _reading(run: RunPattern) -> Reading:
+    label = run.name.partition("-")[2]
+    return Reading(label[0], label[1:] or run.moves[0].lower())
+
+
+def _points(system: IdentificationSystem, pattern: Pattern, runs: list[RunPattern]) -> Iterator[str]:
+    """`r_{k1} - q_T` with the kernel's name for it."""
+    labels: dict[tuple[Carrier, Point], str] = {}
+    for run in runs:
+        for end in (run.target, run.reference):
+            labels.setdefault(end, _reading(run).label)
+    above = f"^{{{pattern.axes}}}" if len(pattern.axes) > 1 else ""
+    for triple, on, at in system.points:
+        letter, home = HOME[on]
+        yield f"$`r{above}_{{{letter}{labels[on, at]}}} - {home}`$ (`{point_name(triple)}`)"
+
+
+@dataclass(frozen=True)
+class Table1:
+    """Axes, and rows of a name and three cells."""
+
+    axes: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def kinds_of_table_1() -> dict[str, str]:
+    """`yaw error of X` for each rotation of an axis."""
+    turns = [(kind, errors) for kind, errors in _TABLE_1 if kind in ("roll error", "pitch error", "yaw error")]
+    return {name: f"{kind} of {axis}" for kind, errors in turns for axis, name in zip("XYZ", errors, strict=True)}
+
+
+def table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
+    """Rows of Table 1: a name, then the errors of the axes X, Y, Z, linked to the table of symbols."""
+    texts = symbols.describe(machine)
+    for title, errors in _TABLE_1:
+        yield title, *(f"${texts[name].latex}$ [`{name}`](#{name})" if name else "" for name in errors)
+
+
+def table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Rows of Table 3: the ideal motion of bodies L, J and K in each pattern, without the fourth element, 1."""
+    for letter, axis in (("l", "Y"), ("j", "X"), ("k", "Z")):
+        cells = [[f"{a.lower()}_h" if a == axis and axis in moving else "0" for a in "XYZ"] for moving in patterns]
+        yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)})$" for cell in cells)
+
+
+def position_errors(machine: Machine, latex: Latex) -> Iterator[str]:
+    """[SIJ]_pe and [SJK]_pe of Table 3, the position errors of the X and the Z carriage."""
+    for axis in "XZ":
+        (error,) = (step for joint in chains(machine)[1] if joint.body.moves == axis for step in joint.steps[1:2])
+        yield latex(matrix(error))
+
+
+def points(model: DerivedModel) -> Iterator[tuple[str, str, str, str]]:
+    """Points of Tables 4 and 5: name, coordinates, frame, runs."""
+    found: dict[tuple[str, str, str], list[str]] = {}
+    for run in model.runs:
+        pattern, _, label = run.name.partition("-")
+        above = f"^{{{pattern}}}" if len(pattern) > 1 else ""
+        for body, at in (run.target, run.reference):
+            if body != "bed":
+                letter, frame = ("k", "TCS") if body == "tool" else ("l", "WCS")
+                key = (f"$P{above}_{{{letter}{label[0]}}}$", f"({', '.join(f'{c:g}' for c in at)})", frame)
+                found.setdefault(key, []).append(run.name)
+    for key, runs in found.items():
+        yield *key, ", ".join(runs)

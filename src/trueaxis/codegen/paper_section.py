@@ -5,12 +5,23 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.codegen.latex import Latex, is_negative, joined
-from trueaxis.codegen.paper_kernels import kernel_lines, reduced
+from trueaxis.codegen.latex import Latex, broken, is_negative, joined
 from trueaxis.codegen.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside, erratum
-from trueaxis.codegen.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
-from trueaxis.codegen.paper_tables import Table1, points, position_errors, table_1, table_3
-from trueaxis.codegen.rows import broken
+from trueaxis.codegen.paper_notation import (
+    AXES,
+    Form,
+    Table1,
+    form,
+    kernel_lines,
+    monomial_terms,
+    motion,
+    paper_latex,
+    points,
+    position_errors,
+    reduced,
+    table_1,
+    table_3,
+)
 from trueaxis.derivation.model import DerivedModel
 from trueaxis.machine.machine import Machine
 from trueaxis.view import view_of

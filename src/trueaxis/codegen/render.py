@@ -3,8 +3,7 @@
 import hashlib
 import json
 
-from trueaxis.codegen.c_source import c_header, c_source
-from trueaxis.codegen.control_source import control_sources
+from trueaxis.codegen.c_source import c_header, c_source, control_sources
 from trueaxis.codegen.equations import equations_page
 from trueaxis.codegen.meta import ABI, spec_name
 from trueaxis.codegen.numpy_source import numpy_source

@@ -96,7 +96,7 @@ def faults_of_folder(machine: Machine, spec: Path, out: Path) -> list[Fault]:
 
 def check_kinds(machine: Machine, spec: Path) -> None:
     """Raise InputError where a kind of effect of the spec's own has no finite value or derivative."""
-    from trueaxis.codegen.effect_check import faults_of_kinds  # noqa: PLC0415  as in derive
+    from trueaxis.codegen.check import faults_of_kinds  # noqa: PLC0415  as in derive
 
     if faults := faults_of_kinds(machine, str(spec)):
         raise InputError(faults)

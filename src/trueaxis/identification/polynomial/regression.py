@@ -121,7 +121,7 @@ class ReducedSystem:
         """Residual mean square RSS / (n - terms)."""
         return self.rss(powers) / (self.n_points - len(powers))
 
-    def _aic(self, powers: tuple[int, ...]) -> float:
+    def aic(self, powers: tuple[int, ...]) -> float:
         """Akaike's criterion as R's extractAIC.lm gives it: n log(RSS / n) + 2 terms."""
         return _aic(self.rss(powers), self.n_points, len(powers), known=self.known)
 
