@@ -15,7 +15,7 @@ from tests.codegen.test_numpy_source import executed, source
 from tests.derivation.test_routine import models
 from tests.machines import ROOT
 from trueaxis.codegen.c_source import c_header, c_source, control_sources
-from trueaxis.machine.spec_label import spec_label
+from trueaxis.model.manifest import spec_label
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")
 KERNELS = ROOT / "generated" / "dmu60p"

@@ -14,14 +14,13 @@ from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import InputError
 from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
 from trueaxis.model.context import Context
-from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, factor
+from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, factor, own_uncertainty
 from trueaxis.model.covariance_file import dump_covariance, linked, read_covariance
 from trueaxis.model.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Fit, Undetermined, dump_errors
 from trueaxis.model.extent import travel_positions, uncertainty_extent
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_errors, load_model
-from trueaxis.model.own_uncertainty import own_uncertainty
 from trueaxis.model.uncertainty import (
     derivative,
     home_of,

@@ -11,12 +11,11 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.load import KERNELS, AnyPath
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.machine import LINEAR
-from trueaxis.machine.spec_label import spec_label
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.setup import PointOn
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.kernels import numpy_kernels
-from trueaxis.model.manifest import other_spec
+from trueaxis.model.manifest import other_spec, spec_label
 from trueaxis.model.model import MachineModel
 from trueaxis.view import Carrier
 

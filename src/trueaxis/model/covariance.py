@@ -1,26 +1,30 @@
 """The covariance of error values and what readings leave open of them.
 
 The record belongs to values: a digest of them stands in the error-values file, so that values that were edited since
-are never given uncertainties that are not theirs.
+are never given uncertainties that are not theirs. Values without such a file have the standard uncertainties that they
+carry themselves.
 """
 
 import hashlib
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 from scipy.sparse import block_diag, csr_array, eye_array
 
 from trueaxis.error_name import ErrorName
-from trueaxis.model.bases import Basis
+from trueaxis.machine.machine import Machine
+from trueaxis.model.bases import Basis, unmeasured_basis
 from trueaxis.model.curve_json import curve_object
-from trueaxis.model.curves import FloatArray
-from trueaxis.model.effect_json import effect_object
+from trueaxis.model.curves import Curve, FloatArray, TableCurve, basis_of_curve
+from trueaxis.model.effect_values import effect_object
 from trueaxis.model.errors import ErrorValues
 
 DENSE = 0.25  # share of entries that are not zero above which products with a full matrix are faster
+BoolArray = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -203,3 +207,71 @@ def digest_of_numbers(errors: ErrorValues) -> str:
 
 def _digest(tree: dict[str, Any]) -> str:
     return hashlib.sha256(json.dumps(tree, sort_keys=True).encode()).hexdigest()
+
+
+def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
+    """The standard uncertainties that error values carry, as if independent; values without one count as open.
+
+    Where no value has one, nothing is known (root None), and open is what the values name as undetermined.
+    """
+    named = {name for item in errors.undetermined for name in item.parameters}
+    curves = {name: errors.motion_errors[name] for name in machine.components if name in errors.motion_errors}
+    bases: dict[ErrorName, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
+    for name in machine.components:
+        if name in named and name not in bases:
+            bases[name] = unmeasured_basis(machine.travel, name)
+    locations = tuple(name for name in machine.location_errors if name in errors.parameters or name in named)
+    parts = [_u_of_curve(curves[name]) if name in curves else np.full(bases[name].count, np.nan) for name in bases]
+    parts.append(np.array([errors.u.get(name, np.nan) for name in locations]))
+    names = [tuple(one.name for one in machine.kinds[values.effect.kind].parameters) for values in errors.effects]
+    parts += [np.array([one.u.get(n, np.nan) for n in of]) for one, of in zip(errors.effects, names, strict=True)]
+    u = np.concatenate([*parts, np.zeros(0)])
+    owners = [*(name for name in bases for _ in range(bases[name].count)), *locations]
+    undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
+    known = bool(np.isfinite(u).any())
+    opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
+    root, of_prior = _own_root(u, _own_parts(errors, curves, bases, locations, u.size), opened)
+    return Covariance(
+        machine=machine.name,
+        components=tuple(bases),
+        bases=tuple(bases.values()),
+        locations=locations,
+        root=root if known else None,
+        open=np.eye(u.size)[:, opened],
+        effects=tuple(values.effect.label for values in errors.effects),
+        effect_parameters=tuple(names),
+        of_prior=of_prior if known else None,
+    )
+
+
+def _own_parts(
+    errors: ErrorValues,
+    curves: Mapping[ErrorName, Curve],
+    bases: Mapping[ErrorName, Basis],
+    locations: Sequence[str],
+    count: int,
+) -> FloatArray:
+    """(2, count): the parts of u by the readings and by the prior, NaN where a value does not have them."""
+    found = np.full((2, count), np.nan)
+    start = 0
+    for name, basis in bases.items():
+        curve = curves.get(name)
+        if not isinstance(curve, TableCurve | None) and curve.u_readings is not None and curve.u_prior is not None:
+            found[:, start : start + basis.count] = curve.u_readings, curve.u_prior
+        start += basis.count
+    for at, location in enumerate(locations, start):
+        found[:, at] = errors.u_readings.get(location, np.nan), errors.u_prior.get(location, np.nan)
+    return found
+
+
+def _own_root(u: FloatArray, parts: FloatArray, opened: BoolArray) -> tuple[FloatArray, int | None]:
+    """A root of the covariance of values that are independent, and how many of its columns are the prior's."""
+    if np.isnan(parts[:, ~opened]).any():
+        return np.diag(np.where(opened, 0.0, u)), None
+    readings, by_prior = np.where(opened, 0.0, parts)
+    return np.hstack([np.diag(readings), np.diag(by_prior)]), u.size
+
+
+def _u_of_curve(curve: Curve) -> FloatArray:
+    count = basis_of_curve(curve).count
+    return np.full(count, np.nan) if curve.u is None else np.array(curve.u, dtype=np.float64)

@@ -13,8 +13,7 @@ from trueaxis.io.faults import Faults, InputError
 from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.model.curve_json import curve_object, read_curve, read_u, u_value
 from trueaxis.model.curves import Curve
-from trueaxis.model.effect_json import effect_object, read_effects
-from trueaxis.model.effect_values import EffectValues, in_order
+from trueaxis.model.effect_values import EffectValues, effect_object, in_order, read_effects
 from trueaxis.model.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1

@@ -13,9 +13,8 @@ import numpy.typing as npt
 
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.machine.machine import Machine
-from trueaxis.machine.spec_label import spec_label
 from trueaxis.model.c_kernels import load_c_kernels
-from trueaxis.model.manifest import C_FILES, other_spec, verified_code
+from trueaxis.model.manifest import C_FILES, other_spec, spec_label, verified_code
 
 FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]

@@ -1,20 +1,26 @@
-"""What `derive` wrote of a machine: manifest.json holds the digest of every file, and no other content is run."""
+"""What `derive` wrote of a machine: manifest.json holds the digest of every file, and no other content is run.
+
+`spec_label` is how generated files name the spec that they come from.
+"""
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.input_files import gathering, input_bytes
-from trueaxis.machine.spec_label import UNNAMED
 
 MANIFEST = "manifest.json"
 C_FILES = ("kernels.c", "kernels.h")
 CODE_FILES = ("kernels.py", *C_FILES)
 CONTROL_FILES = ("control.c", "control.h")  # of machines with three linear axes
 KERNEL_FILES = (*CODE_FILES, *CONTROL_FILES, "equations.md", MANIFEST)
+UNNAMED = "the machine's spec"
+# What a comment of C, Python and Markdown may hold: no end of a comment, no second line.
+_NAMEABLE = re.compile(r"(?!.*(?:--|\.\.))[\w. /-]+")
 
 
 def verified_code(folder: Path, *, abi: int, digest: str, spec: Path, remedy: str) -> dict[str, bytes]:
@@ -84,3 +90,13 @@ def _record(path: Path, remedy: str) -> Mapping[str, Any]:
     if not isinstance(record, dict) or not isinstance(record.get("files"), dict):
         raise InputError([Fault(str(path), "files", "is no list of files with their digests", remedy)])
     return record
+
+
+def spec_label(spec: Path, out: Path) -> str:
+    """How generated files name the spec that was given: from the folder that holds OUT, else by its name alone.
+
+    So the name does not depend on where the command was run, and holds no folder outside the user's own tree.
+    """
+    root, given = out.resolve().parent, spec.resolve()
+    label = given.relative_to(root).as_posix() if given.is_relative_to(root) else given.name
+    return label if _NAMEABLE.fullmatch(label) else UNNAMED

@@ -15,14 +15,13 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.machine.machine import Machine
 from trueaxis.model.best_fit import Placements
 from trueaxis.model.context import Context
-from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values
+from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, own_uncertainty
 from trueaxis.model.covariance_file import read_covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.effect_terms import component_term
 from trueaxis.model.effect_values import EffectValues, identity
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.model.own_uncertainty import own_uncertainty
 
 OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
 _ENTRIES = 4_000_000  # of the derivatives held at a time: 32 MB

@@ -7,7 +7,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_point
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Vector
-from trueaxis.model.planes import middle_planes
+from trueaxis.model.volume import middle_planes
 
 STEPS = 25  # along either side of a slice
 

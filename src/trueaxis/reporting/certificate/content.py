@@ -11,9 +11,8 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Determined, Fit
 from trueaxis.model.model import MachineModel
-from trueaxis.model.planes import middle_planes
 from trueaxis.model.uncertainty import home_of, tool_uncertainty
-from trueaxis.model.volume import corners, volume_points
+from trueaxis.model.volume import corners, middle_planes, volume_points
 
 FloatArray = NDArray[np.float64]
 
