@@ -28,8 +28,7 @@ from trueaxis.effects.kind import Effect as EffectOf
 from trueaxis.estimation.observations import observations
 from trueaxis.io.told import Told
 from trueaxis.jobs.extending import Extending, Given
-from trueaxis.measurement.setup import Run
-from trueaxis.measurement.setup_writer import run_table
+from trueaxis.measurement.setup import Run, run_table
 from trueaxis.model.manifest import KERNEL_FILES
 
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"

@@ -18,8 +18,7 @@ from tests.real_data import linear_axis_data
 from trueaxis.cli.main import main
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.instrument_kinds import ARM
-from trueaxis.measurement.setup import Device, PointOn, Run
-from trueaxis.measurement.setup_writer import run_table
+from trueaxis.measurement.setup import Device, PointOn, Run, run_table
 
 DMU = machine_at(DMU60P)
 LONG_AXIS = [0.0, 100.0, 200.0, 300.0, 400.0, 500.0]

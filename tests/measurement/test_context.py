@@ -8,12 +8,16 @@ import pytest
 
 from tests.generator.dmu60p import dmu60p
 from tests.measurement.adapter import GeneratorModel
-from trueaxis.measurement.approach import approach_directions
-from trueaxis.measurement.context import context_of, path_velocity
-from trueaxis.measurement.reading_context import polar_angle, reading_context_of
-from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.context import (
+    context_of,
+    distance_since_reversal,
+    duration_by_feed,
+    path_velocity,
+    time_since_reversal,
+)
+from trueaxis.measurement.reading_effects import polar_angle, reading_context_of
+from trueaxis.measurement.readings import Readings, approach_directions
 from trueaxis.measurement.setup import PointOn, Run
-from trueaxis.measurement.since_reversal import distance_since_reversal, duration_by_feed, time_since_reversal
 
 INF, NAN = np.inf, np.nan
 AXES = ("X", "Y", "Z")

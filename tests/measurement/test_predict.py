@@ -15,8 +15,7 @@ from tests.measurement.adapter import Dmu60pAxes
 from tests.measurement.command_line import errors_tree, run
 from trueaxis.cli import predict as command
 from trueaxis.io.faults import InputError
-from trueaxis.measurement.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS, read_points
-from trueaxis.measurement.predict import check_predicted
+from trueaxis.measurement.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS, check_predicted, read_points
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import numpy as np
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import DECIMALS, Rows
 from trueaxis.machine.machine import LINEAR
-from trueaxis.measurement.reading_context import theta
+from trueaxis.measurement.reading_effects import theta
 from trueaxis.measurement.reading_geometry import ideal_displacement
 from trueaxis.measurement.setup import Run
 from trueaxis.model.model import MachineModel

@@ -12,8 +12,8 @@ from trueaxis.diagnosis.at_hand import Line, Round, both_ways, is_along, lines_a
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.machine.machine import LINEAR
-from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.reading_model import home_positions
+from trueaxis.measurement.readings import approach_directions
 from trueaxis.measurement.setup import Run
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates

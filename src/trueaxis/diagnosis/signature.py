@@ -14,7 +14,7 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.first_order import sensed
-from trueaxis.measurement.reading_context import reading_context_of
+from trueaxis.measurement.reading_effects import reading_context_of
 from trueaxis.model.context import Context, ReadingContext
 from trueaxis.model.model import MachineModel
 

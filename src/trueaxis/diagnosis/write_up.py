@@ -26,7 +26,7 @@ from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
-from trueaxis.measurement.circularity import circularity
+from trueaxis.evaluation.iso230_4.circular_test import circularity
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

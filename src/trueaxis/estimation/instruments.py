@@ -32,7 +32,7 @@ from trueaxis.estimation.set_up import (
 )
 from trueaxis.measurement.instrument_kinds import ANGLE, ARM, AT_REST
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.reading_context import along
+from trueaxis.measurement.reading_effects import along
 from trueaxis.measurement.reading_geometry import along_line
 from trueaxis.measurement.reading_model import home_positions, sensed_directions
 from trueaxis.measurement.setup import Run

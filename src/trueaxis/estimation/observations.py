@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.measurement.approach import DirectionArray
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.readings import IntArray, Readings
+from trueaxis.measurement.readings import DirectionArray, IntArray, Readings
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 

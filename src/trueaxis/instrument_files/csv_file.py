@@ -11,11 +11,18 @@ from trueaxis.evaluation.iso230_2.table_file import NEGATIVE, POSITIVE
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults
 from trueaxis.io.plain_text import shown
-from trueaxis.measurement.decimals import decimal
-from trueaxis.measurement.delimited import DelimitedText, read_delimited
+from trueaxis.measurement.delimited import (
+    DelimitedText,
+    Dimension,
+    Heading,
+    decimal,
+    factor,
+    heading,
+    read_delimited,
+    units_of,
+)
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun, approach_of_passes
 from trueaxis.measurement.limits import LONGEST_ID
-from trueaxis.measurement.units import Dimension, Heading, factor, heading, units_of
 
 MOST_FAULTS = 20
 LONGEST_SHOWN = 40

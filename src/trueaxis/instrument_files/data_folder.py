@@ -9,12 +9,11 @@ import numpy as np
 from trueaxis.instrument_files.data_run import DataRun
 from trueaxis.instrument_files.user_keys import RunKeys
 from trueaxis.io.plain_text import shown
-from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
 from trueaxis.measurement.limits import LONGEST_ID
 from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings, dump_readings
-from trueaxis.measurement.setup_writer import run_table, toml_text
+from trueaxis.measurement.readings import Readings, approach_directions, dump_readings
+from trueaxis.measurement.setup import run_table, toml_text
 
 HEAD = "# Made by `trueaxis import`. What is marked `assumed` does not stand in the instrument files.\n"
 # keys of --map that stand within a key of setup.toml

@@ -7,8 +7,7 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.instrument_files.angles import about, in_angles
-from trueaxis.instrument_files.expansion import normalised
+from trueaxis.instrument_files.conventions import about, in_angles, normalised
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import escaped

@@ -9,7 +9,7 @@ from typing import Literal
 
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import shown
-from trueaxis.measurement.decimals import decimal
+from trueaxis.measurement.delimited import decimal
 
 # Of --map; those that end with a point have a name behind it: of an axis, a column.
 KEYS = (

@@ -14,9 +14,15 @@ from trueaxis.jobs.given import name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.refused import RefusedError
 from trueaxis.jobs.tables import Printed, Tabular
-from trueaxis.measurement.context_needs import faults_of_points
-from trueaxis.measurement.points import DEVIATION_COLUMNS, PRIOR_COLUMNS, TOOL_COLUMNS, UNCERTAINTY_COLUMNS
-from trueaxis.measurement.predict import check_predicted, deviations
+from trueaxis.measurement.context import faults_of_points
+from trueaxis.measurement.points import (
+    DEVIATION_COLUMNS,
+    PRIOR_COLUMNS,
+    TOOL_COLUMNS,
+    UNCERTAINTY_COLUMNS,
+    check_predicted,
+    deviations,
+)
 from trueaxis.model.best_fit import Placement, Placements, placements
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance

@@ -8,8 +8,7 @@ from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.measurement.active_compensation import compensated_part
-from trueaxis.measurement.context import context_of
-from trueaxis.measurement.context_needs import faults_of_readings
+from trueaxis.measurement.context import context_of, faults_of_readings
 from trueaxis.measurement.data import readings_path
 from trueaxis.measurement.simulate import check_simulated, filled_in, rows_to_fill
 from trueaxis.model.errors import ErrorValues

@@ -18,8 +18,7 @@ import numpy as np
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.machine import Machine
-from trueaxis.measurement.context import context_of
-from trueaxis.measurement.context_needs import faults_of_readings
+from trueaxis.measurement.context import context_of, faults_of_readings
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import expected_readings, ideal_reading

@@ -1,23 +1,36 @@
-"""The context of readings: how each axis came to where it was read, how fast it moved, when and how warm it was."""
+"""The context of readings: how each axis came to where it was read, how fast it moved, when and how warm it was.
 
-from collections.abc import Sequence
-from typing import Protocol
+What has passed since an axis turned back last is its own way, time, and the way along the path. What effects need to
+know of readings or points is told as a fault for each column that lacks it.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol, cast
 
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.effects.kind import Kind
+from trueaxis.effects.placement import concerns, used_variables
+from trueaxis.io.faults import Fault
+from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import Run
-from trueaxis.measurement.since_reversal import (
-    SECONDS,
-    distance_since_reversal,
-    duration_by_feed,
-    path_since_reversal,
-    time_since_reversal,
-)
 from trueaxis.model.context import Context
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.model import MachineModel
 
 IntArray = npt.NDArray[np.int64]
+SECONDS = 60.0  # of a minute: feeds are in mm/min
+BoolArray = npt.NDArray[np.bool_]
+
+_COLUMNS = {  # variables of an axis and what tells them
+    "t": "time_s",
+    "T": "temperature_c",
+    "v": "feed (or time_s)",
+    "d_time": "time_s (or, by ball bar, feed)",
+}
 
 
 class Rows(Protocol):
@@ -96,7 +109,7 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
         fed = np.full(mine.size, np.nan) if standing else feed[mine]  # how long an axis stood no feed tells
         since[:, mine] = distance_since_reversal(ways, path, turned_before=standing)
         time_since[:, mine] = time_since_reversal(ways, time[mine], duration_by_feed(rows.axes, path, fed))
-        path_since[:, mine] = path_since_reversal(rows.axes, ways, path, turned_before=standing)
+        path_since[:, mine] = _path_since_reversal(rows.axes, ways, path, turned_before=standing)
         home_time[mine], home_temperature[mine] = time[mine[0]], temperature[mine[0]]
         if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
@@ -141,3 +154,134 @@ def _differences(path: FloatArray) -> FloatArray:
     found[:, 0] = -3.0 * path[:, 0] + 4.0 * path[:, 1] - path[:, 2]
     found[:, -1] = 3.0 * path[:, -1] - 4.0 * path[:, -2] + path[:, -3]
     return found
+
+
+def distance_since_reversal(directions: FloatArray, path: FloatArray, *, turned_before: bool = False) -> FloatArray:
+    """(n_axes, n): the way of each axis since its direction changed last, mm or deg; infinite before the first change.
+
+    directions: (n_axes, n), +1, -1, or 0, which changes nothing; path: (n_axes, n), both in the order of reading. The
+    change is taken to have happened at the reading before the first one with the new direction. turned_before: the
+    first direction of an axis is a change, too.
+    """
+    way = np.cumsum(np.abs(np.diff(path, prepend=path[:, :1], axis=1)), axis=1)
+    return _since(way, _turnings(directions, turned_before=turned_before))
+
+
+def _path_since_reversal(
+    axes: Sequence[str], directions: FloatArray, path: FloatArray, *, turned_before: bool = False
+) -> FloatArray:
+    """(n_axes, n), mm: the way along the path of all linear axes since each axis turned back, as above."""
+    way = np.cumsum(_steps(axes, path))
+    return _since(np.broadcast_to(way, path.shape), _turnings(directions, turned_before=turned_before))
+
+
+def time_since_reversal(directions: FloatArray, time: FloatArray, duration: FloatArray) -> FloatArray:
+    """(n_axes, n), s: the time since each axis turned back in the run, infinite before; NaN where nothing tells it.
+
+    time: (n,), s, NaN where unknown; duration: (n,), s, of the way to each reading, which tells where times do not: NaN
+    where it is unknown, too.
+    """
+    turned = _turnings(directions)
+    told = _since(np.broadcast_to(time, directions.shape), turned)
+    gaps = np.isnan(duration)
+    unknown = _since(np.broadcast_to(np.cumsum(gaps, dtype=np.float64), directions.shape), turned) > 0.0
+    summed = _since(np.broadcast_to(np.cumsum(np.where(gaps, 0.0, duration)), directions.shape), turned)
+    found = np.where(told >= 0.0, told, np.where(unknown, np.nan, summed))
+    return cast(FloatArray, np.where(turned < 0, np.inf, found))
+
+
+def duration_by_feed(axes: Sequence[str], path: FloatArray, feed: FloatArray) -> FloatArray:
+    """(n,), s: how long the way to each reading takes at its feed (mm/min, of the linear axes together).
+
+    0 for the first reading; NaN without a feed, and where rotary axes turn alone, of which it tells nothing.
+    """
+    steps = _steps(axes, path)
+    turning = np.diff(path, prepend=path[:, :1], axis=1).any(axis=0) & (steps == 0.0)
+    found: FloatArray = np.divide(steps * SECONDS, feed, out=np.full(steps.size, np.nan), where=(feed > 0.0) & ~turning)
+    found[:1] = 0.0
+    return found
+
+
+def _steps(axes: Sequence[str], path: FloatArray) -> FloatArray:
+    """(n,), mm: the way of the linear axes together to each reading."""
+    linear = np.array([axis in LINEAR for axis in axes], dtype=bool)
+    steps: FloatArray = np.linalg.norm(np.diff(path[linear], prepend=path[linear][:, :1], axis=1), axis=0)
+    return steps
+
+
+def _turnings(directions: FloatArray, *, turned_before: bool = False) -> npt.NDArray[np.int64]:
+    """(n_axes, n): the reading at which each axis turned back last, -1 before the first time."""
+    rows = np.arange(directions.shape[1])
+    last = np.maximum.accumulate(np.where(directions != 0.0, rows, 0), axis=1)
+    held = np.take_along_axis(directions, last, axis=1)
+    changed = np.zeros(directions.shape, dtype=bool)
+    changed[:, 1:] = held[:, 1:] * held[:, :-1] < 0.0
+    turned = np.maximum.accumulate(np.where(changed, rows, 0), axis=1)
+    found = np.where(turned > 0, turned - 1, -1)
+    if turned_before:
+        first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
+        found = np.where((turned == 0) & (held != 0.0), first, found)
+    return found
+
+
+def _since(counted: FloatArray, turned: npt.NDArray[np.int64]) -> FloatArray:
+    """(n_axes, n): what counts up along the readings (n_axes, n), from where it turned last; infinite before."""
+    at_turn = np.take_along_axis(counted, np.maximum(turned, 0), axis=1)
+    found: FloatArray = np.where(turned < 0, np.inf, counted - at_turn)
+    return found
+
+
+def faults_of_readings(
+    machine: MachineModel, runs: Sequence[Run], readings: Readings, context: Context, asked: BoolArray, file: str
+) -> list[Fault]:
+    """What the readings lack for the machine's effects in the rows that are asked for, a fault for each column.
+
+    context: of all rows; asked: (n,); file: of the readings, which the faults are of.
+    """
+    home = context.home or context
+    zeroed = np.array([run.instrument != "ballbar" for run in runs])[readings.run]
+    unknown = {
+        "t": np.isnan(context.time) | (zeroed & np.isnan(home.time)),
+        "T": np.isnan(context.temperature) | (zeroed & np.isnan(home.temperature)),
+        "v": np.isnan(context.velocity).any(axis=0),
+        "d_time": np.isnan(context.time_since).any(axis=0),
+    }
+    found = []
+    for variable, effects in _needed(machine):
+        wrong = np.zeros_like(asked)
+        for values, kind in effects:
+            concerned = np.array([concerns(kind, values.effect, run) for run in runs])
+            wrong |= unknown[variable] & asked & concerned[readings.run]
+        if wrong.any():
+            rows = np.flatnonzero(wrong)
+            first = rows[np.lexsort((readings.seq[rows], readings.run[rows]))[0]]
+            problem = f'is not known in row {readings.seq[first]} of run "{readings.run_ids[readings.run[first]]}"'
+            if zeroed[first] and variable in ("t", "T"):
+                problem += " or where the run began"
+            found.append(_fault(file, variable, problem, effects))
+    return found
+
+
+def faults_of_points(machine: MachineModel, context: Context, file: str) -> list[Fault]:
+    """What points lack for the machine's effects on component errors, a fault for each column."""
+    unknown = {"t": np.isnan(context.time), "T": np.isnan(context.temperature)}
+    found = []
+    for variable, effects in _needed(machine):
+        mine = [(values, kind) for values, kind in effects if kind.place == "component"]
+        if mine and variable in unknown and unknown[variable].any():
+            found.append(_fault(file, variable, f"is not known at point {int(np.argmax(unknown[variable])) + 1}", mine))
+    return found
+
+
+def _needed(machine: MachineModel) -> Iterator[tuple[str, list[tuple[EffectValues, Kind]]]]:
+    """What columns tell and the effects whose terms depend on it, of the own or the other axis."""
+    terms = [(values, machine.kinds[values.effect.kind]) for values in machine.effect_values]
+    for variable in _COLUMNS:
+        mine = [(values, kind) for values, kind in terms if {variable, f"{variable}_b"} & set(used_variables(kind))]
+        if mine:
+            yield variable, mine
+
+
+def _fault(file: str, variable: str, problem: str, effects: Sequence[tuple[EffectValues, Kind]]) -> Fault:
+    told = ", ".join(values.effect.label for values, _ in effects)
+    return Fault(file, f"column {_COLUMNS[variable]}", problem, f"a value: it is needed for {told}")

@@ -1,22 +1,39 @@
-"""Text files of columns: any separator, comma or point decimals, lines of text before the header."""
+"""Text files of columns: any separator, comma or point decimals, text before the header, units in its names."""
 
 import csv
+import math
+import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import polars as pl
 
 from trueaxis.io.faults import Faults, InputError
 from trueaxis.io.input_files import decoded, input_bytes
-from trueaxis.measurement.decimals import decimal
 from trueaxis.measurement.instrument_run import MOST_ROWS
 from trueaxis.measurement.limits import MOST_COLUMNS
 from trueaxis.measurement.table import Table
-from trueaxis.measurement.units import UNITS
 
 SEPARATORS = (";", "\t", ",", "|")  # in the order in which they are tried: a comma may be that of decimals
 MOST_PREAMBLE = 200  # lines before the header: a page of text
+Dimension = Literal["length", "angle", "time", "feed", "temperature"]
+
+# name -> dimension and what one of it is in mm, deg, s, mm/min, degC
+UNITS: dict[str, tuple[Dimension, float]] = {
+    "mm": ("length", 1.0), "um": ("length", 1e-3), "µm": ("length", 1e-3), "μm": ("length", 1e-3),
+    "micron": ("length", 1e-3), "microns": ("length", 1e-3), "nm": ("length", 1e-6), "m": ("length", 1e3),
+    "in": ("length", 25.4), "inch": ("length", 25.4),
+    "deg": ("angle", 1.0), "°": ("angle", 1.0), "rad": ("angle", math.degrees(1.0)),
+    "arcsec": ("angle", 1.0 / 3600.0),
+    "s": ("time", 1.0), "ms": ("time", 1e-3), "min": ("time", 60.0), "h": ("time", 3600.0),
+    "mm/min": ("feed", 1.0), "m/min": ("feed", 1e3), "mm/s": ("feed", 60.0),
+    "degc": ("temperature", 1.0), "°c": ("temperature", 1.0), "c": ("temperature", 1.0),
+}  # fmt: skip
+_WITH_UNIT = re.compile(r"(.*?)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\)|\s*/\s*(?P<slash>\S+))")
+_SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|arcsec|s|c|mm_min)", re.IGNORECASE)
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,3 +133,42 @@ def _cells(line: str, separator: str | None) -> tuple[str, ...]:
     if len(cells) > 1 and not cells[-1].strip():
         cells = cells[:-1]  # a separator at the end of the line
     return tuple(cell.strip() for cell in cells)
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """The head of a column: its name in small letters without the unit, and the unit, empty where there is none."""
+
+    text: str
+    name: str
+    unit: str
+
+
+def heading(text: str) -> Heading:
+    """`Error [um]`, `Error (um)`, `Error / um` and `error_um` as name and unit."""
+    text = text.strip()
+    if parts := _WITH_UNIT.fullmatch(text):
+        unit = parts["square"] or parts["round"] or parts["slash"] or ""
+        return Heading(text, parts[1].strip().lower(), unit.strip().lower())
+    if parts := _SUFFIX.fullmatch(text):
+        return Heading(text, parts[1].lower(), parts[2].lower().replace("mm_min", "mm/min"))
+    return Heading(text, text.lower(), "")
+
+
+def factor(unit: str, dimension: Dimension) -> float | None:
+    """What one of the unit is in mm, deg, s, mm/min or degC; None where it is no unit of that dimension."""
+    found = UNITS.get(unit.strip().lower())
+    return found[1] if found is not None and found[0] == dimension else None
+
+
+def units_of(dimension: Dimension) -> str:
+    """The units of a dimension as a message lists them."""
+    return ", ".join(name for name, (of, _) in UNITS.items() if of == dimension and name.isascii())
+
+
+def decimal(text: str) -> float | None:
+    """The number, None where the text is none or too large: no thousands separators, no second comma."""
+    if not _NUMBER.fullmatch(text):
+        return None
+    value = float(text.replace(",", "."))
+    return value if math.isfinite(value) else None

@@ -8,7 +8,6 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.io.faults import Faults
-from trueaxis.measurement.approach import DirectionArray, approach_directions
 from trueaxis.measurement.columns import (
     approaches,
     check_columns,
@@ -23,7 +22,7 @@ from trueaxis.measurement.columns import (
 from trueaxis.measurement.instrument_kinds import ARM, AT_REST
 from trueaxis.measurement.machine import MachineAxes
 from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings, angle_rows
+from trueaxis.measurement.readings import DirectionArray, Readings, angle_rows, approach_directions
 from trueaxis.measurement.setup import Run
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
 

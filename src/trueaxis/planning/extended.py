@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Sequence
 
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.measurement.setup_writer import run_table, toml_text
+from trueaxis.measurement.setup import run_table, toml_text
 from trueaxis.planning.candidates import Candidate
 
 

@@ -6,11 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.estimation.observations import Observations
-from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.readings import Readings, approach_directions
 from trueaxis.measurement.setup import Run
 from trueaxis.planning.candidates import Candidate
 

@@ -15,7 +15,7 @@ from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.reading_context import reading_context
+from trueaxis.measurement.reading_effects import reading_context
 from trueaxis.measurement.reading_model import expected_readings, home_positions
 from trueaxis.model.context import Context, ReadingContext
 from trueaxis.model.effect_terms import component_term, reading_term

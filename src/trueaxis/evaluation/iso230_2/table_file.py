@@ -22,9 +22,8 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
 from trueaxis.io.faults import Faults
 from trueaxis.io.input_files import decoded, input_bytes
 from trueaxis.measurement.columns import note, numbers, shortened, texts, whole_numbers
-from trueaxis.measurement.delimited import as_table, read_delimited
+from trueaxis.measurement.delimited import Dimension, as_table, factor, heading, read_delimited, units_of
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
-from trueaxis.measurement.units import Dimension, factor, heading, units_of
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]

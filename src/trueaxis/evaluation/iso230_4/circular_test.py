@@ -1,4 +1,7 @@
-"""The readings of a circular test: arcs in one plane about one set-up, in one or both senses of rotation."""
+"""The readings of a circular test: arcs in one plane about one set-up, in one or both senses of rotation.
+
+`circularity` is the circular deviation of one arc.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +13,6 @@ from trueaxis.io.faults import Faults
 from trueaxis.measurement.instrument_run import InstrumentRun
 
 FloatArray = NDArray[np.float64]
-
 FEWEST_READINGS = 12  # of an arc: fewer do not fix centre, radius and harmonics
 LARGEST_DEVIATION = 10.0  # mm: beyond it radius and reading are not in one unit, or not of one circle
 SAME_FEED = 0.01  # share by which feeds that are read may differ: servo mismatch is off by no more
@@ -91,3 +93,29 @@ def _arc(run: InstrumentRun, radius: float, faults: Faults) -> Arc:
         faults.add(place, f"deviates by {worst:g} mm from a radius of {radius:g} mm", "radius and readings in one unit")
     sense = 1 if angle.size and angle[-1] > angle[0] else -1
     return Arc(id=run.id, sense=sense, angle=angle, deviation=deviation)
+
+
+@dataclass(frozen=True)
+class Circularity:
+    """Circular deviation G (mm) about the least-squares centre, that centre (mm), and the deviations from it (n,)."""
+
+    deviation: float
+    centre: tuple[float, float]
+    radial: FloatArray
+
+
+def circularity(angles: FloatArray, readings: FloatArray) -> Circularity:
+    """Circular deviation of one direction of run: the greatest less the smallest radial deviation.
+
+    angles: (n,) polar angles of the bar, rad; readings: (n,) distance minus nominal length, mm. The centre of the
+    circle is that of least squares, since nobody can place a ball without an offset: readings = mean + a cos + b sin.
+    Raises ValueError for fewer than four readings or readings at angles that do not fix a centre.
+    """
+    if angles.size < 4:
+        raise ValueError(f"a circle needs four readings or more, there are {angles.size}")
+    design = np.column_stack([np.ones_like(angles), np.cos(angles), np.sin(angles)])
+    solution, _, rank, _ = np.linalg.lstsq(design, readings, rcond=None)
+    if rank < 3:
+        raise ValueError("the readings lie at too few different angles to fix a centre")
+    radial = readings - design[:, 1:] @ solution[1:]
+    return Circularity(float(np.ptp(radial)), (float(solution[1]), float(solution[2])), radial)

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import linprog
 
-from trueaxis.evaluation.iso230_4.circular_test import Arc, CircularTest, FloatArray
-from trueaxis.measurement.circularity import circularity
+from trueaxis.evaluation.iso230_4.circular_test import Arc, CircularTest, FloatArray, circularity
 
 STANDARD = "ISO 230-4"
 
