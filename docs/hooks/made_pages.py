@@ -8,8 +8,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
 import trueaxis
-from trueaxis.cli.main import build_parser
-from trueaxis.cli.verbosity import VERBOSITY
+from trueaxis.cli.main import VERBOSITY, build_parser
 
 _WIDTH = 80  # of usage lines
 _EVERYWHERE = frozenset((*VERBOSITY, "-h", "--help"))  # options that every command has: said once

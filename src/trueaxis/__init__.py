@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
     from trueaxis.identification.fit_quality import NotConvergedError
     from trueaxis.identification.weighting import NoiseModel
-    from trueaxis.io.faults import Fault, InputError
+    from trueaxis.io.faults import Fault, InputError, RefusedError
     from trueaxis.jobs.compensate import Compensated, compensate
     from trueaxis.jobs.compensation_arguments import CompensationSettings
     from trueaxis.jobs.derive import Derivation, SolvedSystem, derive
@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     )
     from trueaxis.jobs.plan import Planned, plan
     from trueaxis.jobs.predict import Prediction, predict
-    from trueaxis.jobs.refused import RefusedError
     from trueaxis.jobs.report import Document, report
     from trueaxis.jobs.simulate import simulate
     from trueaxis.machine.machine import Machine
@@ -116,7 +115,7 @@ _MODULES = {
     "evaluation.iso230_2.positioning_test": ("PositioningTest",),
     "identification.fit_quality": ("NotConvergedError",),
     "identification.weighting": ("NoiseModel",),
-    "io.faults": ("Fault", "InputError",),
+    "io.faults": ("Fault", "InputError", "RefusedError",),
     "jobs.compensate": ("Compensated", "compensate",),
     "jobs.compensation_arguments": ("CompensationSettings",),
     "jobs.derive": ("Derivation", "SolvedSystem", "derive",),
@@ -133,7 +132,6 @@ _MODULES = {
     ),
     "jobs.plan": ("Planned", "plan",),
     "jobs.predict": ("Prediction", "predict",),
-    "jobs.refused": ("RefusedError",),
     "jobs.report": ("Document", "report",),
     "jobs.simulate": ("simulate",),
     "machine.machine": ("Machine",),

@@ -1,4 +1,4 @@
-"""Types of command-line arguments, with messages that say what would be right."""
+"""Types of command-line arguments, with messages that say what would be right, and options that commands share."""
 
 import argparse
 import math
@@ -8,16 +8,17 @@ from pathlib import Path
 
 from trueaxis.measurement.limits import NOISE_UM
 
+# where the option is a word of Python, or says less
+_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map", "ideal_instruments": "--instruments"}
+OPTION = "--accept-misfit"
+ACCEPT_U = "--accept-u"
+
 
 def file_to_write(text: str) -> Path:
     """A path of a file. Raises argparse.ArgumentTypeError where it is written as that of a folder."""
     if text.endswith(("/", os.sep)):
         raise argparse.ArgumentTypeError(f"{text!r} is the name of a folder, not of a file")
     return Path(text)
-
-
-# where the option is a word of Python, or says less
-_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map", "ideal_instruments": "--instruments"}
 
 
 def option(argument: str) -> str:
@@ -101,3 +102,20 @@ def _finite(text: str, right: str, good: Callable[[float], bool]) -> float:
     if not (math.isfinite(value) and good(value)):
         raise argparse.ArgumentTypeError(f"{text} is not {right}")
     return value
+
+
+def misfit_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option to a command."""
+    parser.add_argument(
+        OPTION, action="store_true", help="take error values that do not fit the readings they come from"
+    )
+
+
+def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add the option to a command. what: is written."""
+    parser.add_argument(
+        ACCEPT_U,
+        action="store_true",
+        help=f"write {what} also where the noise of the readings is larger than the correction (root mean squares); so "
+        "does --max-u, which then decides alone",
+    )

@@ -6,9 +6,8 @@ from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
-from trueaxis.cli.arguments import file_to_write, option, positive, size
+from trueaxis.cli.arguments import file_to_write, misfit_option, option, positive, size, uncertain_option
 from trueaxis.cli.draws import add_draws, draws_of
-from trueaxis.cli.misfit import misfit_option, uncertain_option
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options

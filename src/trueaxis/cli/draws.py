@@ -5,7 +5,7 @@ import argparse
 from trueaxis.cli.arguments import file_to_write, noise_or_none, option, size, whole
 from trueaxis.cluster.workers import MOST_WORKERS
 from trueaxis.io.faults import Fault
-from trueaxis.jobs.workers import faults_of_workers
+from trueaxis.jobs.draws import faults_of_workers
 from trueaxis.monte_carlo.settings import MOST_DRAWS, Draws
 
 _OF_DRAWS = ("seed", "noise_um", "u_temperature", "either_direction", "workers", "scheduler")

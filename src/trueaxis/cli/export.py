@@ -6,15 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.cli.arguments import option, positive, size, tool_point
-from trueaxis.cli.misfit import misfit_option, uncertain_option
+from trueaxis.cli.arguments import misfit_option, option, positive, size, tool_point, uncertain_option
 from trueaxis.controllers.formats import FORMATS
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.export import ExportOptions, exported
 from trueaxis.jobs.given import check_fit
 from trueaxis.jobs.outputs import named
-from trueaxis.jobs.refused import RefusedError
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty

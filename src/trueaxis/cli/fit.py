@@ -3,8 +3,7 @@
 import argparse
 from pathlib import Path
 
-from trueaxis.cli.arguments import file_to_write, option, share, size, whole
-from trueaxis.cli.misfit import misfit_option
+from trueaxis.cli.arguments import file_to_write, misfit_option, option, share, size, whole
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering

@@ -9,8 +9,8 @@ from trueaxis.cli.progress import progress
 from trueaxis.cluster.embedded import LEAST_MEMORY
 from trueaxis.cluster.workers import MOST_WORKERS
 from trueaxis.io.faults import InputError
+from trueaxis.jobs.draws import GB, faults_of_workers
 from trueaxis.jobs.outputs import named
-from trueaxis.jobs.workers import GB, faults_of_workers
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]

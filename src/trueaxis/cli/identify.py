@@ -6,27 +6,18 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from trueaxis.cli.arguments import file_to_write, option
-from trueaxis.cli.identify_options import (
-    FROM_ANGLES,
-    GLOBAL,
-    STEPWISE,
-    add_noise_urad,
-    degree_option,
-    method_option,
-    noise_option,
-    squareness_option,
-)
+from trueaxis.cli.arguments import file_to_write, noise, noise_urad, option, whole
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identification.report_text import fit_text, report_json, report_text, runs_text
-from trueaxis.identification.weighting import NoiseModel
+from trueaxis.identification.weighting import NoiseModel, Repeats
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.identify import (
     DEGREE_WITHOUT_PRIOR,
+    HIGHEST_DEGREE,
     Identified,
     MethodChoice,
     UnbelievableError,
@@ -50,10 +41,11 @@ step by step: each run gives the components that it alone still holds, at every 
 work on the exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure:
 exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or
 its residuals are far from the noise that is stated or that repeats show, and the values are written as a misfit."""
-
 DEFAULT: Literal["convention"] = "convention"
-
 MISFIT_USE = "compensate, fit and export take these values with --accept-misfit only"
+STEPWISE, GLOBAL = "stepwise", "global"
+FROM_ANGLES: Literal["from-angles"] = "from-angles"
+_REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -93,7 +85,7 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
     """How the errors are found."""
     parser.add_argument(
         "--method",
-        type=method_option,
+        type=_method_option,
         default=GLOBAL,
         metavar="global|stepwise",
         help="(default global; paper is another name of stepwise)",
@@ -107,7 +99,7 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--squareness",
-        type=squareness_option,
+        type=_squareness_option,
         default=DEFAULT,
         metavar="convention|known|from-angles",
         help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
@@ -132,7 +124,7 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--degree",
-        type=degree_option,
+        type=_degree_option,
         metavar="N",
         help=f"method global: highest order of the curves ({DEGREE}; with --prior none {DEGREE_WITHOUT_PRIOR})",
     )
@@ -230,3 +222,55 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
 def _outputs(args: argparse.Namespace) -> dict[str, Path | None]:
     covariance = args.covariance or args.out.with_suffix(".npz")
     return {"--out": args.out, "--report": args.report, "--covariance": covariance}
+
+
+def _method_option(text: str) -> str:
+    """A method; `paper` is another name of `stepwise`."""
+    if text in (STEPWISE, "paper"):
+        return STEPWISE
+    if text == GLOBAL:
+        return text
+    raise argparse.ArgumentTypeError(f"{text!r} is not global or stepwise (or paper)")
+
+
+def noise_option(text: str) -> NoiseModel:
+    """`0.3`, `laser=0.3,ballbar=0.5`, `repeats` or `repeats-by-run`."""
+    if text in _REPEATS:
+        return NoiseModel(repeats=_REPEATS[text])
+    if "=" not in text:
+        return NoiseModel(um=noise(text))
+    found: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, value = part.rpartition("=")
+        if not (equals and name.strip()):
+            raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
+        if name.strip() in found:
+            raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
+        found[name.strip()] = noise(value)
+    return NoiseModel(by_group=found)
+
+
+def add_noise_urad(parser: argparse.ArgumentParser) -> None:
+    """The option --noise-urad."""
+    parser.add_argument(
+        "--noise-urad",
+        type=noise_urad,
+        metavar="S",
+        help="standard deviation of a reading of angle instruments, urad (default: as that of lengths)",
+    )
+
+
+def _squareness_option(text: str) -> str:
+    """A rule for the squareness; `sect36` is the old name of `from-angles`."""
+    if text in (FROM_ANGLES, "sect36"):
+        return FROM_ANGLES
+    if text in ("convention", "known"):
+        return text
+    raise argparse.ArgumentTypeError(f"{text!r} is not convention, known or {FROM_ANGLES}")
+
+
+def _degree_option(text: str) -> int:
+    """An order of curves; `auto` has been replaced by what may be expected of curves."""
+    if text == "auto":
+        raise argparse.ArgumentTypeError("auto is replaced by --prior spec, which expects smooth curves; or a number")
+    return whole(1, HIGHEST_DEGREE)(text)

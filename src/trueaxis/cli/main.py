@@ -1,4 +1,7 @@
-"""The command line: one parser, one module per command, one place where wrong input becomes exit code 2."""
+"""The command line: one parser, one module per command, one place where wrong input becomes exit code 2.
+
+Options of every command: how much is said on standard error (-v, -q); of none: completion in a shell.
+"""
 
 import argparse
 import difflib
@@ -12,8 +15,6 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from trueaxis import __version__
-from trueaxis.cli.completion import Completion
-from trueaxis.cli.verbosity import VERBOSITY, add_verbosity, level_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.plain_text import shown
 from trueaxis.io.told import NOT_DELIVERED, StandardStreams
@@ -41,6 +42,8 @@ INTERRUPTED = 130  # as shells have it
 # threads of linear algebra, unless the user says otherwise: more of them cost more than they gain on matrices of our
 # size, and the last digits of a result would depend on the number of processors
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+SHELLS = ("bash", "zsh", "tcsh")
+VERBOSITY = {"-v": logging.INFO, "--verbose": logging.INFO, "-q": logging.ERROR, "--quiet": logging.ERROR}
 
 
 def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
@@ -61,7 +64,7 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
     for name in commands:
         importlib.import_module(module_of(name)).add_parser(subparsers)
     for one in (parser, *subparsers.choices.values()):
-        add_verbosity(one)
+        _add_verbosity(one)
     return parser
 
 
@@ -90,7 +93,7 @@ def _run(arguments: Sequence[str]) -> int:
         first = next((word for word in words if word not in VERBOSITY), "")
         args = build_parser((first,) if first in COMMANDS else COMMANDS).parse_args(words)
         logging.basicConfig(handlers=[_Messages()], level=logging.WARNING)
-        logging.getLogger("trueaxis").setLevel(level_of(args))
+        logging.getLogger("trueaxis").setLevel(_level_of(args))
         return int(args.run(args))
     except InputError as error:
         faults = error.faults
@@ -169,3 +172,42 @@ def _joined(words: Sequence[str]) -> list[str]:
         else:
             joined.append(word)
     return joined
+
+
+class Completion(argparse.Action):
+    """Prints the script that a shell reads, and ends."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[Any] | None,
+        option_string: str | None = None,
+    ) -> None:
+        """Ends with exit code 2 for another shell, or where shtab is not installed."""
+        del namespace
+        if values not in SHELLS:
+            parser.error(f"{option_string}: {values} is no shell that is known; one of {', '.join(SHELLS)}")
+        try:
+            import shtab  # noqa: PLC0415  only who asks for it needs it
+        except ModuleNotFoundError:
+            parser.error(f"{option_string} needs the package shtab: pip install 'trueaxis[completion]'")
+        print(shtab.complete(parser, shell=values))
+        parser.exit()
+
+
+def _add_verbosity(parser: argparse.ArgumentParser) -> None:
+    """Add both options. Neither has a default: that of a command would undo what stands before it."""
+    for short, long, what in (
+        ("-v", "--verbose", "say what is read, done and written, on standard error"),
+        ("-q", "--quiet", "no warnings and no progress on standard error; faults stay, and the report with its notes"),
+    ):
+        parser.add_argument(
+            short, long, dest="verbosity", action="store_const", const=VERBOSITY[short], default=argparse.SUPPRESS,
+            help=what,
+        )  # fmt: skip
+
+
+def _level_of(args: argparse.Namespace) -> int:
+    """The level from which messages are shown."""
+    return int(getattr(args, "verbosity", logging.WARNING))

@@ -1,23 +1,25 @@
-"""trueaxis plan: what runs will tell before they are made, and which runs to make."""
+"""trueaxis plan: what runs will tell before they are made, and which runs to make.
+
+What options do not go together is told, and what has replaced options that it had.
+"""
 
 import argparse
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from trueaxis.cli.arguments import file_to_write, option, positive, tool_point, whole
-from trueaxis.cli.identify_options import add_noise_urad, noise_option
+from trueaxis.cli.arguments import option as option_of
+from trueaxis.cli.identify import add_noise_urad, noise_option
 from trueaxis.cli.measured import read_measured
-from trueaxis.cli.plan_faults import RETIRED, faults_of_options
 from trueaxis.identification.weighting import NoiseModel
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.arrays import ORIGIN
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.plan import planned
-from trueaxis.jobs.plan_request import MOST_PROPOSED, PlanRequest, faults_of_runs
-from trueaxis.jobs.refused import RefusedError
+from trueaxis.jobs.plan_request import MOST_PROPOSED, PlanRequest, faults_of_request, faults_of_runs, outputs_of
+from trueaxis.jobs.tables import ORIGIN
 from trueaxis.machine import read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.model.effect_values import EffectValues
@@ -130,7 +132,7 @@ def run(args: argparse.Namespace) -> int:
         noise=replace(args.noise_um, urad=args.noise_urad),
         location_errors_only=args.location_errors_only, tools=tuple(args.tool_point) or (ORIGIN,), out=args.out,
     )  # fmt: skip
-    found = faults_of_options(args, request)
+    found = _faults_of_options(args, request)
     effects = _effects(args, found)
     data = None
     if args.data is None:
@@ -181,3 +183,39 @@ def _effects(args: argparse.Namespace, found: list[Fault]) -> tuple[EffectValues
         with gathering(found):
             effects = load_errors(args.effects, machine).effects
     return effects
+
+
+@dataclass(frozen=True, slots=True)
+class Retired:
+    """An option that is gone: why, and what to use; argument: how it was given."""
+
+    why: str
+    instead: str
+    argument: dict[str, Any] = field(default_factory=lambda: {"action": "store_true", "default": None})
+
+
+RETIRED = {
+    "--degree": Retired(
+        "curves are smooth as the prior has it, of order 14 at most",
+        "[prior] in the spec says how large errors are",
+        {"default": None, "metavar": "N"},
+    ),
+    "--ideal-instruments": Retired(
+        "instruments have unknowns as identify has them", "scale_u_ppm, length_u_um in [device] tables of setup.toml"
+    ),
+    "--unknown-linkage-lines": Retired("the zero and the alignment of every laser run are unknown", "leave it out"),
+    "--unknown-zeros": Retired("the zero of every run is unknown", "leave it out"),
+}
+
+
+def _faults_of_options(args: argparse.Namespace, request: PlanRequest) -> list[Fault]:
+    """All of them; nothing is read for it."""
+    found = [
+        Fault(option, "", f"is no option any more: {one.why}", one.instead)
+        for option, one in RETIRED.items()
+        if getattr(args, option[2:].replace("-", "_")) is not None
+    ]
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known, "--effects": args.effects}
+    outputs = {"--report": args.report, "--picture": args.picture, **outputs_of(request, args.data)}
+    found += overwritten(inputs, outputs, args.kernels)
+    return found + faults_of_request(request, args.data, option_of, writes=True)

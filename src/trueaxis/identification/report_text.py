@@ -18,7 +18,7 @@ from trueaxis.identification.report import (
     LocationReport,
 )
 from trueaxis.identification.words import IN_COMBINATION, combination_text, in_small, tool_sentence
-from trueaxis.io.near_zero import plain_zero
+from trueaxis.io.plain_text import plain_zero
 
 WIDTH = 100
 MICRO = 1e6

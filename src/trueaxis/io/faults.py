@@ -1,7 +1,8 @@
-"""Faults of an input: gathered, so that a user sees all of them at once."""
+"""Why there is no result: faults of an input, gathered, so that a user sees all at once; or the answer is no."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from trueaxis.io.plain_text import shown
 
@@ -51,3 +52,15 @@ class Faults:
         """Raise InputError with everything noted so far, if anything was."""
         if self.found:
             raise InputError(self.found)
+
+
+class RefusedError(ValueError):
+    """Nothing was written, as the command ends with exit code 1.
+
+    reasons: a sentence each; where one names an option of the command, such as --max-u, it means the argument of that
+    name, max_u. result: what was computed, to look at, of the class that the function returns.
+    """
+
+    def __init__(self, reasons: tuple[str, ...], result: Any) -> None:
+        super().__init__("; ".join(reasons))
+        self.reasons, self.result = reasons, result

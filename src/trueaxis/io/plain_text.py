@@ -1,7 +1,12 @@
-"""Text that is safe to show: what a name or value from a file holds cannot steer a terminal or fill the screen."""
+"""Text that is safe to show: what a name or value from a file holds cannot steer a terminal or fill the screen.
+
+Numbers of a report that are zero but for rounding are shown as zero.
+"""
 
 LONGEST = 1000  # characters of one part of a message: more than any file name that is met, less than a screen
 _UNDECODED = range(0xDC80, 0xDD00)  # how Python keeps the bytes of a file name that are not UTF-8
+# um, urad, ppm, and these per mm or deg: a hundredth of what any instrument resolves; solving leaves 1e-22 of a zero
+NEAR_ZERO = 1e-6
 
 
 def shown(text: str, longest: int = LONGEST) -> str:
@@ -27,3 +32,8 @@ def _escape(character: str) -> str:
     if code in _UNDECODED:
         return f"\\x{code - 0xDC00:02x}"
     return character.encode("unicode_escape").decode()
+
+
+def plain_zero(value: float) -> float:
+    """The value in um, urad or ppm, 0 where it is so small that only rounding made it other than zero."""
+    return 0.0 if abs(value) < NEAR_ZERO else value

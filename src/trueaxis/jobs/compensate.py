@@ -19,10 +19,9 @@ from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import ToolTable
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.arrays import ORIGIN, above_zero, at_least_zero, tool_points
 from trueaxis.jobs.compensation_arguments import (
     CompensationSettings,
     Tools,
@@ -36,8 +35,7 @@ from trueaxis.jobs.draws import checked, faults_of_draws
 from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_zero, tool_points
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.monte_carlo.settings import Draws

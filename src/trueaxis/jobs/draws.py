@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.cluster.embedded import LEAST_MEMORY
 from trueaxis.cluster.tasks import Task, run_tasks
-from trueaxis.cluster.workers import Workers, client_of
+from trueaxis.cluster.workers import MOST_WORKERS, Workers, client_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.given import Spelled, argument, kernels_of
-from trueaxis.jobs.workers import workers_of
 from trueaxis.machine.machine import Machine
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
@@ -26,6 +26,8 @@ FIRST_SAMPLE = 1000  # draws from which the ranges of the bins are taken, of few
 FIRST_ENTRIES = 2_000_000  # of all points together; never less than a tenth of the above
 AHEAD = 1  # tasks that wait at each worker: they take a second or two
 Show = Callable[[str], None]
+_LOADED: dict[tuple[str, Path], Kernels] = {}
+GB = 10**9  # bytes
 
 
 def drawn(
@@ -128,12 +130,32 @@ def _part(drawing: Drawing, bins: Bins, sources: list[np.random.Generator], coun
     return tally
 
 
-_LOADED: dict[tuple[str, Path], Kernels] = {}
-
-
 def _kernels(machine: Machine, folder: Path) -> Kernels:
     """Loaded once in a worker."""
     key = machine.digest, folder
     if key not in _LOADED:
         _LOADED[key] = load_kernels(machine, machine.source or Path(machine.name), folder)
     return _LOADED[key]
+
+
+def workers_of(workers: int | None, memory: float | None, scheduler: str | None) -> Workers:
+    """workers: processes on this computer; memory: GB of each; scheduler: an address; None: not given.
+
+    Raises ValueError for numbers out of their range, InputError for what does not go together.
+    """
+    if memory is not None and not LEAST_MEMORY <= memory * GB < float("inf"):
+        raise ValueError(f"memory: expected GB, at least {LEAST_MEMORY / GB:g}; given {memory}")
+    if workers is not None and not (isinstance(workers, int) and 1 <= workers <= MOST_WORKERS):
+        raise ValueError(f"workers: expected a whole number from 1 to {MOST_WORKERS}; given {workers}")
+    if faults := faults_of_workers(scheduler, workers=workers, memory=memory):
+        raise InputError(faults)
+    return Workers(count=workers, memory=None if memory is None else int(memory * GB), scheduler=scheduler)
+
+
+def faults_of_workers(scheduler: str | None, spelled: Spelled = argument, **here: float | None) -> list[Fault]:
+    """What does not go together. here: what was given of workers of this computer, by argument, None: not given."""
+    if scheduler is None:
+        return []
+    remedy = f"leave it out, or {spelled('scheduler')}"
+    problem = "is of workers on this computer; those of a scheduler are as they were started"
+    return [Fault(spelled(name), "", problem, remedy) for name, value in here.items() if value is not None]

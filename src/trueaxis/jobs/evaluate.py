@@ -24,11 +24,10 @@ from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.arrays import above_zero
 from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.import_readings import KeyValue, key_text
 from trueaxis.jobs.load import AnyPath
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.tables import Printed, Tabular, above_zero
 from trueaxis.measurement.instrument_run import InstrumentRun
 
 PLANES = tuple(map("".join, permutations("XYZ", 2)))

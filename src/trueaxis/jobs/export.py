@@ -11,14 +11,12 @@ from trueaxis.compensation.reliance import PRIOR_SIZES
 from trueaxis.controllers.formats import FORMATS, KINS, Export, export_module, export_tables, problem_of
 from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND, taken_by_module
 from trueaxis.controllers.remaining import Remaining
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
-from trueaxis.jobs.arrays import ORIGIN, above_zero, at_least_zero, tool_points
 from trueaxis.jobs.given import Spelled, argument, check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Printed
+from trueaxis.jobs.tables import ORIGIN, Printed, above_zero, at_least_zero, tool_points
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent

@@ -8,12 +8,10 @@ import numpy as np
 import polars as pl
 
 from trueaxis.error_name import ErrorName
-from trueaxis.io.faults import Fault, InputError
-from trueaxis.jobs.arrays import at_least_zero
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.jobs.given import check_fit, name_of, with_errors
 from trueaxis.jobs.load import Errors
-from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.tables import Printed, Tabular, at_least_zero
 from trueaxis.machine import Machine
 from trueaxis.model.curves import LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues

@@ -20,10 +20,10 @@ from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
 from trueaxis.io.plain_text import shown
 from trueaxis.io.staging import written_by_one
+from trueaxis.jobs.draws import workers_of
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import Printed, Tabular
-from trueaxis.jobs.workers import workers_of
 from trueaxis.measurement.table import table_bytes
 from trueaxis.reporting.fleet.text import fleet_text
 

@@ -16,10 +16,9 @@ from trueaxis.identification.report import IdentificationReport
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
-from trueaxis.jobs.arrays import check_among
 from trueaxis.jobs.given import Spelled, argument, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
-from trueaxis.jobs.tables import Printed
+from trueaxis.jobs.tables import Printed, check_among
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.limits import NOISE_UM

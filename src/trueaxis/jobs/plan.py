@@ -10,17 +10,15 @@ import polars as pl
 
 from trueaxis.estimation.result import Estimate
 from trueaxis.identification.notes import dimension_notes
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import utf8_text
-from trueaxis.jobs.arrays import ORIGIN
 from trueaxis.jobs.given import Spelled, argument, files_of, kernels_of, warn_of_misfit
 from trueaxis.jobs.identify import Noise, believed, noise_model
 from trueaxis.jobs.load import AnyPath, DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, faults_of_runs, outputs_of
-from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.tables import ORIGIN, Printed, Tabular
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.measurement.active_compensation import moved_setup

@@ -7,8 +7,8 @@ from typing import Literal, get_args
 
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault
-from trueaxis.jobs.arrays import ORIGIN, above_zero
 from trueaxis.jobs.given import Spelled, argument
+from trueaxis.jobs.tables import ORIGIN, above_zero
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.measurement.data import MeasuredData

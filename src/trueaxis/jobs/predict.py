@@ -7,13 +7,20 @@ import numpy as np
 import numpy.typing as npt
 import polars as pl
 
-from trueaxis.io.faults import InputError
-from trueaxis.jobs.arrays import ORIGIN, Positions, at_least_zero, check_among, positions_of, tool_points
+from trueaxis.io.faults import InputError, RefusedError
 from trueaxis.jobs.draws import Show, checked, drawn, faults_of_draws
 from trueaxis.jobs.given import name_of, with_errors
 from trueaxis.jobs.load import Errors
-from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.tables import (
+    ORIGIN,
+    Positions,
+    Printed,
+    Tabular,
+    at_least_zero,
+    check_among,
+    positions_of,
+    tool_points,
+)
 from trueaxis.measurement.context import faults_of_points
 from trueaxis.measurement.points import (
     DEVIATION_COLUMNS,

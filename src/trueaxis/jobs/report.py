@@ -7,10 +7,10 @@ import numpy.typing as npt
 
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
-from trueaxis.jobs.arrays import ORIGIN, tool_points
 from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.jobs.tables import ORIGIN, tool_points
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.certificate.content import Content, Known, content
 

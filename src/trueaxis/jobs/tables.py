@@ -1,10 +1,90 @@
-"""What results have in common: a report that notebooks show, and tables, as frames of Polars and of pandas."""
+"""Arrays as users give them, and results as they get them: reports in notebooks, frames of Polars and of pandas.
 
+Arrays are checked against the machine; what has the wrong shape is told with the expected one.
+"""
+
+import math
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from html import escape
-from typing import Any
+from typing import Any, get_args
 
+import numpy as np
+import numpy.typing as npt
 import polars as pl
+
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.model import MachineModel
+
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame, mm
+Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike
+
+
+def positions_of(model: MachineModel, positions: Positions) -> FloatArray:
+    """(n_axes, n) axis positions, mm or deg.
+
+    positions: by axis letter, numbers or (n,) each, axes that are left out stand at 0; or an array (n_axes, n) in the
+    order of `model.axes`. Raises ValueError with the argument, what was expected and what was given.
+    """
+    axes = model.axes
+    if isinstance(positions, Mapping):
+        if unknown := [name for name in positions if name not in axes]:
+            raise ValueError(f"positions: {model.name} has no axis {', '.join(unknown)}, but {', '.join(axes)}")
+        rows = [np.atleast_1d(_finite(f"positions[{axis!r}]", positions.get(axis, 0.0))) for axis in axes]
+        if wrong := [f"{axis} {row.shape}" for axis, row in zip(axes, rows, strict=True) if row.ndim != 1]:
+            raise ValueError(f"positions: expected numbers or arrays (n,), one for each axis; given {', '.join(wrong)}")
+        lengths = {row.size for row in rows if row.size != 1}
+        if len(lengths) > 1:
+            shapes = ", ".join(f"{axis} {row.shape}" for axis, row in zip(axes, rows, strict=True))
+            raise ValueError(f"positions: expected arrays of one length; given {shapes}")
+        count = lengths.pop() if lengths else 1
+        return np.stack([np.broadcast_to(row, (count,)) for row in rows])
+    array = _finite("positions", positions)
+    if array.ndim != 2 or array.shape[0] != len(axes):
+        order = ", ".join(axes)
+        raise ValueError(f"positions: expected shape ({len(axes)}, n), rows {order}; given {array.shape}")
+    return np.ascontiguousarray(array)
+
+
+def tool_points(tool: npt.ArrayLike, count: int) -> FloatArray:
+    """(3, count) points in the tool frame, mm; tool: (3,) for all of them, or (3, count). Raises ValueError."""
+    array = _finite("tool", tool)
+    if array.shape == (3,):
+        return np.repeat(array[:, np.newaxis], count, axis=1)
+    if array.shape != (3, count):
+        raise ValueError(f"tool: expected shape (3,) or (3, {count}), mm; given {array.shape}")
+    return array
+
+
+def above_zero(**given: float | None) -> None:
+    """Raise ValueError where a number is not finite and above 0; None: it was not given."""
+    for name, value in given.items():
+        if value is not None and not 0.0 < value < math.inf:
+            raise ValueError(f"{name}: expected a finite number above 0; given {value}")
+
+
+def at_least_zero(**given: float | None) -> None:
+    """Raise ValueError where a number is not finite and at least 0; None: it was not given."""
+    for name, value in given.items():
+        if value is not None and not 0.0 <= value < math.inf:
+            raise ValueError(f"{name}: expected a finite number, at least 0; given {value}")
+
+
+def check_among(**given: tuple[object, Any]) -> None:
+    """Raise ValueError where a value is none of its Literal; None: it was not given."""
+    for name, (value, literal) in given.items():
+        if value is not None and value not in get_args(literal):
+            raise ValueError(f"{name}: expected one of {', '.join(get_args(literal))}; given {value!r}")
+
+
+def _finite(name: str, values: npt.ArrayLike) -> FloatArray:
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: expected numbers; given {type(values).__name__} of something else") from None
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers; {int((~np.isfinite(array)).sum())} are not")
+    return array
 
 
 class Printed:
