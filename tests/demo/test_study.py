@@ -13,7 +13,7 @@ from trueaxis.demo.volume import left_um
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_model
-from trueaxis.reporting.pictures.noise import noise_picture
+from trueaxis.reporting.pictures.tool_point import noise_picture
 
 MACHINES = ROOT / "machines"
 PLAN = MACHINES / "dmu60p_regular_runs"

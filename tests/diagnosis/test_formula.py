@@ -21,7 +21,7 @@ from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.latex import ADDED, component_latex, effect_latex, term_latex
 from trueaxis.effects.library import KINDS
 from trueaxis.error_name import ErrorName
-from trueaxis.reporting.diagnosis.formula import mathml
+from trueaxis.reporting.diagnosis.html import mathml
 
 MACHINE = machine_at(DMU60P)
 EXPECTED = {

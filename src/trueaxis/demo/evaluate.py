@@ -10,7 +10,7 @@ from trueaxis.evaluation.iso230_4.circular_test import Circularity, circularity
 from trueaxis.measurement.data import read_data
 from trueaxis.measurement.reading_model import ideal_bar
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.pictures.error_map import PathErrors
+from trueaxis.reporting.pictures.tool_point import PathErrors
 
 FloatArray = NDArray[np.float64]
 _ORIGIN = np.zeros((3, 1))

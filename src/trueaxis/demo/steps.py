@@ -15,9 +15,8 @@ from trueaxis.io.files import write_files
 from trueaxis.io.told import NOT_DELIVERED
 from trueaxis.model.model import MachineModel, load_errors, load_model
 from trueaxis.own_python import own_python
-from trueaxis.reporting.pictures.error_map import PathErrors, error_map
-from trueaxis.reporting.pictures.noise import noise_picture
-from trueaxis.reporting.pictures.polar import Trace, polar_plot
+from trueaxis.reporting.pictures.standard_tests import Trace, polar_plot
+from trueaxis.reporting.pictures.tool_point import PathErrors, error_map, noise_picture
 
 MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
 PAPER_NOISE_UM = 0.004  # what the residual error of the paper implies

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.pictures.error_map import PathErrors
+from trueaxis.reporting.pictures.tool_point import PathErrors
 
 # Sect. 5.2 of the paper: largest, mean and standard deviation of E, mm; Table 8: circularity, um.
 PAPER = {"ordinary": (0.0021, 0.00119, 0.000249), "iterative": (0.00053, 0.000244, 0.000119)}

@@ -75,7 +75,7 @@ class EvaluatedPositioning(Printed, Tabular):
         """Mean deviations with bands of 2 s, as PNG. Raises ValueError where `has_picture` is not."""
         if not self.has_picture:
             raise ValueError("picture: a test of one cycle tells no bands")
-        from trueaxis.reporting.pictures.positioning import positioning_plot  # noqa: PLC0415  matplotlib takes long to import
+        from trueaxis.reporting.pictures.standard_tests import positioning_plot  # noqa: PLC0415  matplotlib takes long to import
 
         return positioning_plot(self.evaluation, Path(self.source).stem)
 
@@ -110,7 +110,7 @@ class EvaluatedCircle(Printed, Tabular):
 
     def picture(self) -> bytes:
         """The circle, as PNG."""
-        from trueaxis.reporting.pictures.polar import Trace, polar_plot  # noqa: PLC0415  matplotlib takes long to import
+        from trueaxis.reporting.pictures.standard_tests import Trace, polar_plot  # noqa: PLC0415  matplotlib takes long to import
 
         circles = zip(self.test.arcs, about_centre(self.test), strict=True)
         traces = [Trace(one.id, one.angle, radial) for one, radial in circles]

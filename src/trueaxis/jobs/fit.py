@@ -18,8 +18,7 @@ from trueaxis.model.errors import ErrorValues
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import curve_u
-from trueaxis.reporting.fitted_curves import curve_sentences
-from trueaxis.reporting.reliance import above_sentence, extent_sentences, worth_nothing_sentences
+from trueaxis.reporting.reliance import above_sentence, curve_sentences, extent_sentences, worth_nothing_sentences
 
 if TYPE_CHECKING:
     from trueaxis.identification.polynomial import OptimalFit

@@ -25,7 +25,7 @@ from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.measurement.table import table_bytes
-from trueaxis.reporting.fleet.text import fleet_text
+from trueaxis.reporting.fleet import fleet_text
 
 RESULTS, PAGE = "results.parquet", "index.html"
 Show = Callable[[str], None]
@@ -177,7 +177,7 @@ def _of(chain: Chain, rows: dict[Path, Row]) -> list[Row]:
 
 
 def _written(folder: Path, name: str, rows: tuple[Row, ...], summary: Summary) -> tuple[Path, ...]:
-    from trueaxis.reporting.fleet.page import fleet_page  # noqa: PLC0415  Jinja2: for sound input
+    from trueaxis.reporting.fleet import fleet_page  # noqa: PLC0415  Jinja2: for sound input
 
     files: dict[Path, bytes | str] = {
         folder / RESULTS: table_bytes(rows_frame(rows), ".parquet"),

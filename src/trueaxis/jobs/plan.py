@@ -78,7 +78,7 @@ class Planned(Printed, Tabular):
 
     def picture(self) -> bytes:
         """The uncertainty of the tool point on slices through the volume, as PNG."""
-        from trueaxis.reporting.pictures.tool_uncertainty import uncertainty_picture  # noqa: PLC0415  matplotlib takes long to import
+        from trueaxis.reporting.pictures.tool_point import uncertainty_picture  # noqa: PLC0415  matplotlib takes long to import
 
         return uncertainty_picture(slices(self.expected, self.tools))
 

@@ -1,4 +1,4 @@
-"""How far a result relies on what was measured, in sentences."""
+"""How far a result relies on what was measured, in sentences; which curves of an estimate `fit` leaves as they are."""
 
 from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
@@ -225,3 +225,21 @@ def _um(length: float) -> str:
 
 def _unit(axis: str) -> str:
     return "mm" if axis in LINEAR else "deg"
+
+
+def curve_sentences(without_polynomial: Sequence[str], by_prior: Sequence[str]) -> tuple[str, ...]:
+    """without_polynomial: curves of which no polynomial is significant and near; by_prior: those that no reading
+    determines.
+    """
+    found = []
+    if without_polynomial:
+        found.append(
+            f"{', '.join(without_polynomial)}: no polynomial is both significant and near to the curve, by its u; "
+            "the Legendre curve is kept"
+        )
+    if by_prior:
+        found.append(
+            f"{', '.join(by_prior)}: the readings do not determine these errors; their Legendre curves are kept, "
+            "and the picture shows them dashed, with a band of 2 u"
+        )
+    return tuple(found)

@@ -10,7 +10,7 @@ import pytest
 from tests.evaluation.iso230_2.builders import dat_text, made_up
 from trueaxis.cli.main import main
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.reporting.pictures.positioning import _figure, positioning_plot
+from trueaxis.reporting.pictures.standard_tests import _figure, positioning_plot
 
 TEST = made_up(6, 5)
 PNG = b"\x89PNG\r\n\x1a\n"

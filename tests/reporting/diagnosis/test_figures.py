@@ -11,14 +11,19 @@ from scipy.signal import lombscargle
 from tests.reporting.diagnosis import builders
 from trueaxis.diagnosis.result import Estimate
 from trueaxis.effects.library import BY_NAME
-from trueaxis.reporting.diagnosis.cloud import SHAPES, cloud, one_path
-from trueaxis.reporting.diagnosis.figures.isolability import spread
-from trueaxis.reporting.diagnosis.figures.periodogram import periodograms
+from trueaxis.reporting.diagnosis.figures.candidates import spread
+from trueaxis.reporting.diagnosis.figures.periodogram import (
+    AT_ONCE,
+    FALSE_ALARM,
+    frequencies_of,
+    harmonic,
+    periodograms,
+    powers,
+    spectrum_of,
+)
 from trueaxis.reporting.diagnosis.figures.whiteness import _autocorrelation
-from trueaxis.reporting.diagnosis.frame import stacked
 from trueaxis.reporting.diagnosis.lines import envelope, lines_of, rounds_of, sample
-from trueaxis.reporting.diagnosis.spectrum import AT_ONCE, FALSE_ALARM, frequencies_of, harmonic, powers, spectrum_of
-from trueaxis.reporting.diagnosis.svg import BLUE, ORANGE, picture
+from trueaxis.reporting.diagnosis.svg import BLUE, ORANGE, SHAPES, cloud, one_path, picture, stacked
 
 
 def test_runs_are_sorted_into_lines_and_circles() -> None:

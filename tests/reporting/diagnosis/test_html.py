@@ -17,8 +17,7 @@ from trueaxis.diagnosis.of_plan import Absence, Placed
 from trueaxis.diagnosis.result import BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis import html as page_of
-from trueaxis.reporting.diagnosis.formula import mathml
-from trueaxis.reporting.diagnosis.html import TEMPLATE
+from trueaxis.reporting.diagnosis.html import TEMPLATE, mathml
 from trueaxis.reporting.diagnosis.pictures import pictures_of
 from trueaxis.reporting.diagnosis.tables import MOST_PRINTED
 from trueaxis.template_folders import template_folders

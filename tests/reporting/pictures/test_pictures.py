@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from trueaxis.reporting.pictures.error_map import PathErrors, error_map
-from trueaxis.reporting.pictures.polar import Trace, _broken, _round_up, polar_plot
+from trueaxis.reporting.pictures.standard_tests import Trace, _broken, _round_up, polar_plot
+from trueaxis.reporting.pictures.tool_point import PathErrors, error_map
 
 PATH = np.array([np.linspace(0.0, 100.0, 50), np.sin(np.linspace(0.0, 6.0, 50)), np.zeros(50)])
 ERRORS = PathErrors(np.full(50, 1e-4), np.linspace(0.0, 1e-3, 50))

@@ -1,12 +1,14 @@
-"""The report as one HTML file that needs nothing else: no network, no script."""
+"""The report as one HTML file that needs nothing else: no network, no script. Its formulas are MathML."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from latex2mathml.converter import convert
+
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.reporting.diagnosis import further, tables
-from trueaxis.reporting.diagnosis.formula import mathml
 from trueaxis.reporting.diagnosis.picture import Picture, Pictures
 from trueaxis.reporting.diagnosis.quantity import UM, URAD, equals_p, micrometres, percent, with_expanded, written
 from trueaxis.reporting.diagnosis.tables import Table
@@ -23,6 +25,9 @@ from trueaxis.reporting.diagnosis.words import (
 from trueaxis.template_folders import template_folders
 
 TEMPLATE = "report.html.j2"
+_SPACE = r'(?:<mspace width="[^"]*" />)?'
+_ADDED = re.compile(rf"{_SPACE}<mrow><mo>&#x0002B;</mo></mrow><mrow><mo>&#x0003D;</mo></mrow>{_SPACE}")
+_LETTERS = re.compile(r'(?:<mi mathvariant="italic">\w</mi>){2,}')
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -208,3 +213,13 @@ def _sections(
             tables=(tables.noise(diagnosis), tables.outliers(diagnosis)),
         ),
     ]
+
+
+def mathml(latex: str) -> str:
+    """A math element in block style. In a page it needs no namespace.
+
+    `+=` is one operator in it and the name of a parameter one identifier, which converters set sign by sign.
+    """
+    text = re.sub(r' xmlns="[^"]*"', "", convert(latex, display="block"), count=1)
+    text = _ADDED.sub('<mo lspace="0.278em" rspace="0.278em">+=</mo>', text)
+    return _LETTERS.sub(lambda name: f'<mi class="name">{re.sub("<[^>]*>", "", name.group())}</mi>', text)

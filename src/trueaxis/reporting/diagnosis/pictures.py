@@ -1,15 +1,11 @@
 """All figures of the report, drawn from a diagnosis alone."""
 
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.reporting.diagnosis.figures.amplitudes import amplitudes
-from trueaxis.reporting.diagnosis.figures.around import around
-from trueaxis.reporting.diagnosis.figures.circles import circles
-from trueaxis.reporting.diagnosis.figures.course import course
-from trueaxis.reporting.diagnosis.figures.evidence import evidence
-from trueaxis.reporting.diagnosis.figures.isolability import isolability
+from trueaxis.reporting.diagnosis.figures.candidates import evidence, isolability
+from trueaxis.reporting.diagnosis.figures.circles import around, circles
+from trueaxis.reporting.diagnosis.figures.gain import amplitudes, stages
 from trueaxis.reporting.diagnosis.figures.periodogram import periodograms
-from trueaxis.reporting.diagnosis.figures.positions import positions
-from trueaxis.reporting.diagnosis.figures.stages import stages
+from trueaxis.reporting.diagnosis.figures.residuals import course, positions
 from trueaxis.reporting.diagnosis.figures.whiteness import whiteness
 from trueaxis.reporting.diagnosis.picture import Pictures
 

@@ -1,4 +1,4 @@
-"""Circles of the ball bar: polar, with the extended model over them."""
+"""Circles of the ball bar: polar, with the extended model over them, and residuals against the polar angle."""
 
 from typing import Any
 
@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, Residuals
-from trueaxis.reporting.diagnosis.lines import Round, rounds_of
+from trueaxis.reporting.diagnosis.lines import THINNED, Round, rounds_of, sample
 from trueaxis.reporting.diagnosis.picture import Picture
 from trueaxis.reporting.diagnosis.quantity import NBSP, UM
-from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, RULE, SOFT, picture
+from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, RULE, SOFT, cloud, picture, stacked
 
 MOST_POINTS = 360  # of a trace, drawn as a line
 SIDE = 3.9  # inches
@@ -18,6 +18,8 @@ LEGEND = 0.45
 _NOMINAL, _OUTER, _EDGE = 2.4, 3.5, 4.15  # radii of the fitted circle, of the spokes, of the picture, in divisions
 _LOOK = {1: (BLUE, "-", "counter-clockwise"), -1: (ORANGE, "--", "clockwise")}
 Key = tuple[str, float]
+MOST_AROUND = 600
+_AROUND_LOOK = {1: ("^", BLUE, BLUE, "counter-clockwise"), -1: ("v", ORANGE, "none", "clockwise")}
 
 
 def circles(diagnosis: Diagnosis) -> list[Picture]:
@@ -124,3 +126,50 @@ def _round_up(value: float) -> float:
         return 1.0
     power = 10.0 ** np.floor(np.log10(value))
     return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if value <= step * power * (1.0 + 1e-9)))
+
+
+def around(diagnosis: Diagnosis) -> list[Picture]:
+    """One picture for each plane; none without circles."""
+    rounds = rounds_of(diagnosis.residuals)
+    planes = sorted({one.plane for one in rounds})
+    return [
+        _around_picture(diagnosis.residuals, plane, [one for one in rounds if one.plane == plane]) for plane in planes
+    ]
+
+
+def _around_picture(residuals: Residuals, plane: str, rounds: list[Round]) -> Picture:
+    most = max(sum(one.rows.size for one in rounds if one.turn == turn) for turn in _AROUND_LOOK)
+    thinned = f" {THINNED}" if most > MOST_AROUND else ""
+    return picture(
+        f"around-{plane}",
+        f"Residual around {plane} circles",
+        f"Residual against polar angle of {len(rounds)} circles in {plane}, refitted above and extended model below.",
+        f"{len(rounds)} runs, both panels of one scale; steps at 0, 90, 180 and 270 deg are reversals of an axis."
+        f"{thinned}",
+        lambda: _around_figure(residuals, rounds),
+    )
+
+
+def _around_figure(residuals: Residuals, rounds: list[Round]) -> Figure:
+    figure, panels = stacked(4.0, 2, titled=True, sharey=True)
+    for panel, values, title in zip(
+        panels, (residuals.refitted, residuals.extended), ("refitted", "extended model"), strict=True
+    ):
+        panel.axhline(0.0, color=INK, linewidth=0.6)
+        for turn, (marker, colour, face, label) in _AROUND_LOOK.items():
+            rows = [one.rows for one in rounds if one.turn == turn]
+            if not rows:
+                continue
+            together = np.concatenate(rows)
+            theta = np.degrees(residuals.theta[together]) % 360.0
+            order = np.argsort(theta, kind="stable")
+            theta, left = theta[order], 1e3 * values[together][order]
+            kept = sample(left, MOST_AROUND)
+            cloud(panel, theta[kept], left[kept], marker, colour, face, 2.4, label)
+        panel.set_title(title)
+        panel.set_ylabel(UM)
+    panels[-1].set_xticks(range(0, 361, 90))
+    panels[-1].set_xlabel("polar angle (deg)")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", ncols=2)
+    return figure

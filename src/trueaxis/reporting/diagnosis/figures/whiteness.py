@@ -5,10 +5,8 @@ from matplotlib.figure import Figure
 from scipy.special import ndtri
 
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, Residuals
-from trueaxis.reporting.diagnosis.cloud import DOT, cloud
-from trueaxis.reporting.diagnosis.frame import stacked
 from trueaxis.reporting.diagnosis.picture import Picture
-from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, picture
+from trueaxis.reporting.diagnosis.svg import BLUE, DOT, INK, ORANGE, cloud, picture, stacked
 
 MOST_POINTS = 400
 MOST_LAGS = 30

@@ -1,4 +1,4 @@
-"""The fleet as one HTML page that needs nothing else: no network, no script; links lead to the files beside it."""
+"""A fleet for people: one HTML page that needs nothing else, whose links lead to the files beside it; the console."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,11 +7,10 @@ from urllib.parse import quote
 
 from trueaxis.fleets.plan import GIVEN, MACHINES
 from trueaxis.fleets.row import CauseFound, Row
-from trueaxis.fleets.summary import Summary
+from trueaxis.fleets.summary import Changed, Summary
 from trueaxis.reporting.diagnosis.html import rendered
-from trueaxis.reporting.diagnosis.quantity import quantity
+from trueaxis.reporting.diagnosis.quantity import ascii_only, quantity
 from trueaxis.reporting.diagnosis.words import TITLES
-from trueaxis.reporting.fleet.words import cause_title, counts, when
 
 TEMPLATE = "fleet.html.j2"
 TEXT_OF: dict[str, str] = dict(TITLES.items())
@@ -20,6 +19,8 @@ MOST_ROWS = 2000  # of a table: more make a page that browsers are slow with, an
 MOST_NAMED = 30  # machines in one cell
 MOST_FAULTS = 5  # of one row: what comes behind is seldom another mistake
 DOCUMENTS = (("document", "report.html"), ("diagnosis", "diagnosis/report.html"))
+MOST_TOLD = 3  # of a machine
+MOST = 20  # lines of a kind: the page and the table have all
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +49,7 @@ class FleetTable:
 def fleet_page(name: str, rows: tuple[Row, ...], summary: Summary) -> str:
     """The page, the same for the same rows to the byte. name: of the fleet file."""
     parts = [_failed(summary), _changed(summary), _shared(summary), _machines(summary)]
-    return rendered(TEMPLATE, name=name, headline=counts(rows, summary), facts=_facts(rows, summary), parts=parts)
+    return rendered(TEMPLATE, name=name, headline=_counts(rows, summary), facts=_facts(rows, summary), parts=parts)
 
 
 def _facts(rows: Sequence[Row], summary: Summary) -> list[tuple[str, str]]:
@@ -70,7 +71,7 @@ def _facts(rows: Sequence[Row], summary: Summary) -> list[tuple[str, str]]:
 
 def _failed(summary: Summary) -> FleetTable:
     rows = [
-        (_of(row.machine), _of(when(row)), Cell(_faults(row))) for row in summary.failed
+        (_of(row.machine), _of(_when(row)), Cell(_faults(row))) for row in summary.failed
     ]  # fmt: skip
     return _table("Failed, and why", "", ("machine", "data", "faults"), rows, frozenset(), "No machine failed.")
 
@@ -91,7 +92,7 @@ def _changed(summary: Summary) -> FleetTable:
         tool = one.row.tool
         moved = DASH if tool is None or tool.change is None else quantity(tool.change, "mm")
         size = DASH if one.error.change is None else quantity(abs(one.error.change), one.error.unit)
-        texts = (when(one.row), _since(one.row), one.error.name, size, f"{one.error.change_in_u or 0.0:.1f}", moved)
+        texts = (_when(one.row), _since(one.row), one.error.name, size, f"{one.error.change_in_u or 0.0:.1f}", moved)
         rows.append((_machine(one.row), *map(_of, texts)))
     head = ("machine", "data", "since", "error", "change", "change / u", "tool point")
     compared = any(row.against is not None for row in summary.newest)
@@ -105,7 +106,7 @@ def _shared(summary: Summary) -> FleetTable:
         names = [row.machine for row in one.rows]
         more = [f"and {len(names) - MOST_NAMED} more"] if len(names) > MOST_NAMED else []
         told = ", ".join([*names[:MOST_NAMED], *more])
-        rows.append((_of(cause_title(one.label)), _of(str(len(names))), Cell(_sizes(one.causes)), _of(told)))
+        rows.append((_of(_cause_title(one.label)), _of(str(len(names))), Cell(_sizes(one.causes)), _of(told)))
     asked = any(row.verdict is not None for row in summary.newest)
     empty = "No cause is named for more than one machine." if asked else "No diagnosis was asked for."
     return _table(
@@ -130,11 +131,11 @@ def _machines(summary: Summary) -> FleetTable:
                  ((tool.rms, tool.largest, tool.u) if tool is not None else (None, None, None))]  # fmt: skip
         verdict = DASH if row.verdict is None else TEXT_OF.get(row.verdict, row.verdict)
         causes = Cell(
-            (verdict, *(cause_title(one.label) + ("" if one.certain else " (not certain)") for one in row.causes))
+            (verdict, *(_cause_title(one.label) + ("" if one.certain else " (not certain)") for one in row.causes))
         )
         moved = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
         fit = "failed" if row.faults else row.fit or DASH
-        rows.append((_machine(row), _of(when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
+        rows.append((_machine(row), _of(_when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
     head = (
         "machine",
         "newest data",
@@ -180,3 +181,60 @@ def _since(row: Row) -> str:
         return DASH
     path = PurePosixPath(row.against)
     return path.parent.name if row.against.startswith("../") and path.name == "errors.json" else path.name
+
+
+def fleet_text(rows: tuple[Row, ...], summary: Summary, made: int) -> str:
+    """What was done, what failed, what has changed, which causes are shared. ASCII, for a console of any encoding."""
+    lines = [f"{_counts(rows, summary)}; {made} made now, {len(rows) - made} as before"]
+    lines += _some([line for row in summary.failed for line in _fault_lines(row)])
+    lines += _some(
+        [f"misfit: {row.machine} {_when(row)}: the values do not fit their readings" for row in summary.misfits]
+    )
+    lines += _some([f"changed: {one.row.machine} {_when(one.row)}: {_change(one)}" for one in summary.changed])
+    lines += _some(
+        [f"cause: {_cause_title(one.label)}: {', '.join(row.machine for row in one.rows)}" for one in summary.shared]
+    )
+    return ascii_only("\n".join(lines)) + "\n"
+
+
+def _some(lines: list[str]) -> list[str]:
+    kind = lines[0].partition(":")[0] if lines else ""
+    return lines if len(lines) <= MOST else [*lines[:MOST], f"{kind}: and {len(lines) - MOST} more"]
+
+
+def _fault_lines(row: Row) -> list[str]:
+    """The first ones each: which of them helps most depends on the slip."""
+    lines = [f"fault: {row.machine} {_when(row)}: {fault}" for fault in row.faults[:MOST_TOLD]]
+    if left := len(row.faults) - MOST_TOLD:
+        lines[-1] += f" (and {left} more)" if left > 0 else ""
+    return lines
+
+
+def _cause_title(label: str) -> str:
+    """`Backlash EYY` of `backlash EYY`."""
+    text = label.replace("_", " ")
+    return text[:1].upper() + text[1:]
+
+
+def _when(row: Row) -> str:
+    """The date of a row, or what stands for it."""
+    return row.date or row.data or "values given"
+
+
+def _counts(rows: tuple[Row, ...], summary: Summary) -> str:
+    """`3 machines, 7 folders of data, 2 with faults`."""
+    return (
+        f"{_plural(len(summary.newest), 'machine')}, {_plural(len(rows), 'row')}, "
+        f"{len(summary.failed) or 'none'} with faults"
+    )
+
+
+def _change(one: Changed) -> str:
+    """`EYY by 4.1 um, 12.3 u`."""
+    error = one.error
+    size = "" if error.change is None else f"{quantity(abs(error.change), error.unit)}, "
+    return f"{error.name} by {size}{error.change_in_u or 0.0:.1f} u"
+
+
+def _plural(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -1,21 +1,28 @@
-"""Residual against position, for every axis along which lines were measured, before and after."""
+"""Residuals before and after: against position, of every axis along which lines were measured, time and temperature."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, IntArray, Residuals
-from trueaxis.reporting.diagnosis.cloud import DOT, cloud
-from trueaxis.reporting.diagnosis.frame import stacked
 from trueaxis.reporting.diagnosis.lines import THINNED, Line, lines_of, sample
 from trueaxis.reporting.diagnosis.picture import Picture
-from trueaxis.reporting.diagnosis.quantity import UM
-from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, SOFT, picture
+from trueaxis.reporting.diagnosis.quantity import UM, written
+from trueaxis.reporting.diagnosis.svg import BLUE, DOT, GREEN, INK, ORANGE, SOFT, cloud, picture, stacked
 
 MOST_POINTS = 900  # of a panel; beyond, only a sample is drawn
 STAGES = ("given", "refitted", "extended")
 TITLES = {"given": "values as given", "refitted": "refitted", "extended": "extended model"}
 _WAYS = ((1, "^", BLUE, BLUE, "coming up (+)"), (-1, "v", ORANGE, "none", "coming down (\N{MINUS SIGN})"))
+MOST_OVER_COURSE = 600
+
+_COURSE_LOOK = {
+    "laser": ("o", BLUE, BLUE),
+    "ballbar": ("s", ORANGE, "none"),
+    "probe": ("D", GREEN, "none"),
+    "angle": ("^", ORANGE, ORANGE),
+    "displacement": ("v", GREEN, GREEN),
+}
 
 
 def positions(diagnosis: Diagnosis) -> list[Picture]:
@@ -109,3 +116,64 @@ def _still(panel: Axes, residuals: Residuals, lines: list[Line], axis: int, valu
 
 def _rms(residuals: Residuals, stage: str, rows: IntArray) -> float:
     return float(1e3 * np.sqrt(np.mean(getattr(residuals, stage)[rows] ** 2)))
+
+
+def course(diagnosis: Diagnosis) -> list[Picture]:
+    """A picture for the time and one for the temperature, where the readings have them."""
+    residuals = diagnosis.residuals
+    found = []
+    if _varies(residuals.time):
+        assert residuals.time is not None
+        factor, unit = (1.0 / 60.0, "min") if np.nanmax(residuals.time) < 7200.0 else (1.0 / 3600.0, "h")
+        found.append(_course_picture(residuals, "time", factor * residuals.time, f"time ({unit})"))
+    if _varies(residuals.temperature):
+        assert residuals.temperature is not None
+        found.append(_course_picture(residuals, "temperature", residuals.temperature, "temperature (\N{DEGREE SIGN}C)"))
+    return found
+
+
+def _varies(values: FloatArray | None) -> bool:
+    if values is None:
+        return False
+    known = values[np.isfinite(values)]
+    return known.size > 1 and bool(np.ptp(known) > 0.0)
+
+
+def _course_picture(residuals: Residuals, name: str, across: FloatArray, label: str) -> Picture:
+    known = np.isfinite(across)
+    correlated = [
+        written(float(np.corrcoef(across[known], values[known])[0, 1]) if np.ptp(values[known]) > 0.0 else 0.0, ".2f")
+        for values in (residuals.refitted, residuals.extended)
+    ]
+    drawn = np.bincount(residuals.run[known], minlength=len(residuals.runs))
+    most = max(int(drawn[np.array(residuals.instruments) == name].sum()) for name in _COURSE_LOOK)
+    thinned = f" {THINNED}" if most > MOST_OVER_COURSE else ""
+    return picture(
+        f"course-{name}",
+        f"Residual against {name}",
+        f"Residual against {name}, refitted above and extended model below; correlation {correlated[0]} before, "
+        f"{correlated[1]} after.",
+        f"Correlation with {name}: {correlated[0]} refitted, {correlated[1]} with the extended model.{thinned}",
+        lambda: _course_figure(residuals, across, label),
+    )
+
+
+def _course_figure(residuals: Residuals, across: FloatArray, label: str) -> Figure:
+    figure, panels = stacked(4.0, 2, titled=True, sharey=True)
+    instrument = np.array(residuals.instruments)[residuals.run]
+    for panel, values, title in zip(
+        panels, (residuals.refitted, residuals.extended), ("refitted", "extended model"), strict=True
+    ):
+        panel.axhline(0.0, color=INK, linewidth=0.6)
+        for name, (marker, colour, face) in _COURSE_LOOK.items():
+            rows = np.flatnonzero((instrument == name) & np.isfinite(across))
+            rows = rows[np.argsort(across[rows], kind="stable")]
+            rows = rows[sample(values[rows], MOST_OVER_COURSE)]
+            if rows.size:
+                cloud(panel, across[rows], 1e3 * values[rows], marker, colour, face, 2.2, name)
+        panel.set_title(title)
+        panel.set_ylabel(UM)
+    panels[-1].set_xlabel(label)
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", ncols=3)
+    return figure

@@ -1,1 +1,0 @@
-"""A fleet for people: the page and the text of the command."""
