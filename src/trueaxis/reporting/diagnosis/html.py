@@ -5,7 +5,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from latex2mathml.converter import convert
 
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.reporting.diagnosis import further, tables
@@ -220,6 +219,8 @@ def mathml(latex: str) -> str:
 
     `+=` is one operator in it and the name of a parameter one identifier, which converters set sign by sign.
     """
+    from latex2mathml.converter import convert  # noqa: PLC0415  only pages with formulas need it
+
     text = re.sub(r' xmlns="[^"]*"', "", convert(latex, display="block"), count=1)
     text = _ADDED.sub('<mo lspace="0.278em" rspace="0.278em">+=</mo>', text)
     return _LETTERS.sub(lambda name: f'<mi class="name">{re.sub("<[^>]*>", "", name.group())}</mi>', text)
