@@ -30,7 +30,7 @@ from benchmarks.nothing import nothing
 from trueaxis.cluster.tasks import Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
-from trueaxis.fleets.plan import chains_of
+from trueaxis.fleets.unit import chains_of
 from trueaxis.jobs.fleet_unit import do_unit
 from trueaxis.model.curves import PolynomialCurve
 

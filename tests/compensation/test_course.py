@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from trueaxis.compensation.course import LONG, Course, Standing, since_reversal, turnings
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.velocity import RAMP, at_vertices, cruising, ramps
-from trueaxis.effects.variables import FARTHEST
+from trueaxis.effects.placement import FARTHEST
 
 
 def path(points: list[list[float]], start: list[float], rapid: list[bool] | None = None) -> Path:

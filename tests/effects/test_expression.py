@@ -11,10 +11,21 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from tests.effects.expressions import NAMES, SYMBOLS, Drawn, expressions
-from trueaxis.effects.evaluate import evaluate
-from trueaxis.effects.expression import DEEPEST, Binary, Call, Name, Negative, Number, Pi, Power, names, parse
-from trueaxis.effects.linearity import is_linear
-from trueaxis.effects.tokens import LONGEST, ExpressionError
+from trueaxis.effects.evaluate import evaluate, is_linear
+from trueaxis.effects.expression import (
+    DEEPEST,
+    LONGEST,
+    Binary,
+    Call,
+    ExpressionError,
+    Name,
+    Negative,
+    Number,
+    Pi,
+    Power,
+    names,
+    parse,
+)
 
 A, B, C = Name("a"), Name("b"), Name("c")
 

@@ -7,8 +7,7 @@ import pytest
 
 from tests.fuzz.seeds import TINY
 from trueaxis.cli.main import main
-from trueaxis.effects.expression import HIGHEST_DEGREE, parse
-from trueaxis.effects.tokens import ExpressionError
+from trueaxis.effects.expression import HIGHEST_DEGREE, ExpressionError, parse
 
 WAVE = TINY.replace('kind = "backlash"\ncomponent = "EXX"', 'kind = "wave"\ncomponent = "EXX"')
 A, P = 2.0, 3.0

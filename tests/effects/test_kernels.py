@@ -28,12 +28,10 @@ from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation.effect_terms import effect_routines, library_routines
 from trueaxis.derivation.routine import Routine
 from trueaxis.effects.evaluate import evaluate
-from trueaxis.effects.expression import parse
+from trueaxis.effects.expression import LONGEST, parse
 from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.library import BY_NAME, KINDS
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.tokens import LONGEST
-from trueaxis.effects.variables import FARTHEST
+from trueaxis.effects.placement import FARTHEST, context_of
 from trueaxis.machine import Machine
 from trueaxis.model import effect_library
 from trueaxis.model.c_kernels import load_c_kernels

@@ -5,14 +5,11 @@ from dataclasses import dataclass
 
 import pytest
 
-from trueaxis.effects.domain import undefined_at
-from trueaxis.effects.evaluate import evaluate
+from trueaxis.effects.evaluate import evaluate, is_linear, undefined_at
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME, KINDS
-from trueaxis.effects.linearity import is_linear
-from trueaxis.effects.placement import allows, concerns, context_of, reads, variables_of, way_of
-from trueaxis.effects.variables import FARTHEST, VARIABLES
+from trueaxis.effects.placement import FARTHEST, VARIABLES, allows, concerns, context_of, reads, variables_of, way_of
 from trueaxis.error_name import ErrorName
 
 

@@ -6,7 +6,7 @@ import sys
 
 from tests.machines import ROOT
 from trueaxis.effects.library import KINDS
-from trueaxis.effects.variables import VARIABLES
+from trueaxis.effects.placement import VARIABLES
 
 PAGE = ROOT / "docs" / "effects.md"
 

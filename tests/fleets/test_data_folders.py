@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from trueaxis.fleets.data_folders import data_folders, date_of
+from trueaxis.fleets.fleet_file import data_folders, date_of
 from trueaxis.io.faults import InputError
 
 

@@ -24,13 +24,13 @@ from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.compensation.offset_files import read_offsets
 from trueaxis.compensation.tool_files import read_tools
 from trueaxis.derivation.effect_terms import effect_routine
-from trueaxis.effects.domain import sampled_parameters, sampled_positions, samples
+from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
 from trueaxis.fleets.fleet_file import read_fleet
-from trueaxis.fleets.plan import chains_of
+from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
 from trueaxis.instrument_files.data_run import data_run
 from trueaxis.instrument_files.read import read_instrument_file

@@ -12,7 +12,7 @@ from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import Candidate, Kit, candidates
-from trueaxis.planning.measuring_time import RUN_MINUTES, SET_UP_MINUTES, minutes, run_minutes, set_up_of
+from trueaxis.planning.runs import RUN_MINUTES, SET_UP_MINUTES, minutes, run_minutes, set_up_of
 
 ALL = Kit(instruments=("laser", "ballbar", "probe"))
 

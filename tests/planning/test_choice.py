@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.planning.choice import Chosen, Offer, choose
+from trueaxis.planning.propose import Chosen, Offer, choose
 
 N, OFFERS = 12, 9
 

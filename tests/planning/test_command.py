@@ -19,7 +19,7 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.machine import read_machine
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
-from trueaxis.planning.noise import noise_of_instruments, noise_of_runs
+from trueaxis.planning.judge import noise_of_instruments, noise_of_runs
 from trueaxis.planning.paths import follow
 
 MACHINE = ROOT / "machines" / "dmu60p.toml"

@@ -26,7 +26,7 @@ from trueaxis.identification.estimated_effects import with_uncertainty
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
-from trueaxis.planning.effects import expected_with_effects
+from trueaxis.planning.judge import expected_with_effects
 from trueaxis.planning.method import PlanOptions, judged_plan, proposed
 from trueaxis.planning.report import ExpectedEffect, ProposalReport
 

@@ -15,7 +15,7 @@ import sympy as sp
 from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation.effect_terms import effect_name, effect_routine, term
 from trueaxis.derivation.routine import Routine
-from trueaxis.effects.domain import sampled_parameters, sampled_positions, samples
+from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.placement import context_of

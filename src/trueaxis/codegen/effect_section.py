@@ -10,8 +10,7 @@ from trueaxis.derivation import symbols
 from trueaxis.derivation.effect_terms import term
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.latex import component_latex
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import OF_AXIS, OF_OTHER_AXIS, VARIABLES, Variable
+from trueaxis.effects.placement import OF_AXIS, OF_OTHER_AXIS, VARIABLES, Variable, context_of
 from trueaxis.machine.machine import ROTARY, Machine
 
 _INSTRUMENTS = {"laser": "the laser", "probe": "the probe", "ballbar": "the ball bar"}

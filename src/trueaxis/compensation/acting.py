@@ -6,8 +6,7 @@ from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.placed import ContextModel
 from trueaxis.compensation.settings import Settings
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import REFERENCE_TEMPERATURE, SINCE_REVERSAL
+from trueaxis.effects.placement import REFERENCE_TEMPERATURE, SINCE_REVERSAL, context_of
 from trueaxis.model.model import MachineModel
 
 OF_INSTRUMENT = "an instrument's: no error of the machine"

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.path import Path
-from trueaxis.effects.variables import FARTHEST
+from trueaxis.effects.placement import FARTHEST
 from trueaxis.model.context import Context
 
 LONG = 1e4  # s: no spike lasts so long; small enough for sums over many motions to keep their digits

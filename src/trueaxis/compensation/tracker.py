@@ -15,7 +15,7 @@ from trueaxis.compensation.path import Path, path_of
 from trueaxis.compensation.placed import OnCourse, Placed
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.velocity import at_vertices, cruising, ramps
-from trueaxis.effects.variables import FARTHEST
+from trueaxis.effects.placement import FARTHEST
 from trueaxis.model.context import Context
 
 # In steps of words: how far an axis that moves in the program, or stands there and is moved by corrections alone, goes

@@ -1,11 +1,10 @@
 """Which effects a control can know of, that sees positions and at best directions."""
 
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import SINCE_REVERSAL
+from trueaxis.effects.placement import SINCE_REVERSAL, context_of
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.model import MachineModel
 
-# what effects may depend on that no control is told of here: see effects/variables.py
+# what effects may depend on that no control is told of here: see effects/placement.py
 UNTABLED = {"v", *SINCE_REVERSAL, "t", "T"}
 
 

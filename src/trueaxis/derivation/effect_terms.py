@@ -9,8 +9,7 @@ from trueaxis.effects.evaluate import value_of
 from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.library import BY_NAME
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import VARIABLES
+from trueaxis.effects.placement import VARIABLES, context_of
 from trueaxis.machine.machine import Machine
 
 _FUNCTIONS = {

@@ -20,7 +20,7 @@ from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.expression import names, parse
-from trueaxis.effects.variables import SINCE_REVERSAL, VARIABLES
+from trueaxis.effects.placement import SINCE_REVERSAL, VARIABLES
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
 UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read

@@ -12,7 +12,7 @@ from trueaxis.diagnosis.result import Stale, Verdict
 from trueaxis.diagnosis.search import Ground, Search, cause_columns
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.expression import names, parse
-from trueaxis.effects.variables import SINCE_REVERSAL
+from trueaxis.effects.placement import SINCE_REVERSAL
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
 PRACTICALLY_ALL = 0.97  # share from which neither a remainder nor differences between places take the name back

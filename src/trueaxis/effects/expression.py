@@ -11,23 +11,24 @@ then has a value and a derivative wherever its base has.
 """
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal, cast
 
-from trueaxis.effects.tokens import ExpressionError, Token, tokens
-
 Operator = Literal["+", "-", "*", "/"]
 Function = Literal["sin", "cos", "exp", "sqrt", "abs", "sign", "step", "tanh"]
-
 FUNCTIONS: tuple[Function, ...] = ("sin", "cos", "exp", "sqrt", "abs", "sign", "step", "tanh")
 LARGEST_EXPONENT = 9
 # Powers of powers multiply their exponents, and a kernel writes a power as a product of as many factors.
 HIGHEST_DEGREE = 99
 DEEPEST = 30  # parentheses, functions and minus signs within one another
-
 _ATOM = "a number, a name, a function or ("
 _OPERATOR = "one of + - * / ^ or the end"
+LONGEST = 300  # characters of an expression
+_TOKEN = re.compile(
+    r"(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[A-Za-z][A-Za-z0-9_]*)|(?P<sign>[-+*/^()])"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +88,7 @@ Expression = Number | Pi | Name | Negative | Binary | Power | Call
 
 def parse(text: str) -> Expression:
     """The syntax tree of an expression. Raises ExpressionError, which tells the column and what was expected there."""
-    return _Parser(text, tokens(text)).whole()
+    return _Parser(text, _tokens(text)).whole()
 
 
 def names(expression: Expression) -> tuple[Name, ...]:
@@ -122,6 +123,38 @@ def _degree(expression: Expression) -> int:
             degrees = _degree(left), _degree(right)
             return sum(degrees) if operator in "*/" else max(degrees)
     return 1
+
+
+class ExpressionError(ValueError):
+    """An expression that cannot be read: `problem` at `column` (from 0), and what was `expected` there.
+
+    The message shows the text with a caret under the column.
+    """
+
+    def __init__(self, text: str, column: int, problem: str, expected: str) -> None:
+        self.text, self.column, self.problem, self.expected = text, column, problem, expected
+        super().__init__(f"{problem}; expected: {expected}\n{self.marked}")
+
+    @property
+    def marked(self) -> str:
+        """Two lines, indented: the text (a stretch of it where it is long), and the caret under the column."""
+        start = max(0, self.column - 70)
+        line = "".join(sign if sign.isprintable() else " " for sign in self.text[start : start + 100])
+        return f"    {line}\n    {' ' * (self.column - start)}^"
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A stretch of the text; column from 0."""
+
+    kind: Literal["number", "name", "sign", "end"]
+    text: str
+    column: int
+
+    @property
+    def shown(self) -> str:
+        """As a message shows it."""
+        return f"{self.text[:40]!r}" if self.text else "the end"
 
 
 class _Parser:
@@ -227,3 +260,27 @@ class _Parser:
         self._taken()
         self._depth -= 1
         return inner
+
+
+def _tokens(text: str) -> tuple[Token, ...]:
+    """The tokens of an expression and one of the kind `end`. Raises ExpressionError."""
+    if len(text) > LONGEST:
+        raise ExpressionError(text, LONGEST, f"{len(text)} characters are too many", f"{LONGEST} characters at most")
+    found: list[Token] = []
+    column = 0
+    while column < len(text):
+        if text[column] == " ":
+            column += 1
+            continue
+        match = _TOKEN.match(text, column)
+        if match is None:
+            right = "numbers, names, + - * / ^ ( )"
+            raise ExpressionError(text, column, f"{text[column]!r} means nothing here", right)
+        if match["number"]:
+            found.append(Token("number", match[0], column))
+        elif match["name"]:
+            found.append(Token("name", match[0], column))
+        else:
+            found.append(Token("sign", match[0], column))
+        column = match.end()
+    return (*found, Token("end", "", len(text)))

@@ -8,7 +8,7 @@ import re
 
 from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.variables import OF_AXIS, VARIABLES
+from trueaxis.effects.placement import OF_AXIS, VARIABLES
 from trueaxis.error_name import ErrorName
 
 ADDED = r"\;{+}{=}\;"  # \mathrel{+}= nests one operator in another, which MathML does not allow

@@ -3,11 +3,10 @@
 import sys
 from collections.abc import Iterable, Sequence
 
-from trueaxis.effects.expression import DEEPEST, FUNCTIONS, HIGHEST_DEGREE, LARGEST_EXPONENT
+from trueaxis.effects.expression import DEEPEST, FUNCTIONS, HIGHEST_DEGREE, LARGEST_EXPONENT, LONGEST
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.library import KINDS
-from trueaxis.effects.tokens import LONGEST
-from trueaxis.effects.variables import OF_COMPONENT_TERMS, OF_READING_TERMS, VARIABLES, Variable
+from trueaxis.effects.placement import OF_COMPONENT_TERMS, OF_READING_TERMS, VARIABLES, Variable
 
 _PLACES = {
     "component": "Terms of component errors",

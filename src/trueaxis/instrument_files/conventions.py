@@ -11,7 +11,7 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+from trueaxis.effects.placement import REFERENCE_TEMPERATURE
 from trueaxis.instrument_files.user_keys import Question, RunKeys
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.measurement.instrument_kinds import ARM

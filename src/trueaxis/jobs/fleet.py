@@ -10,11 +10,9 @@ import polars as pl
 from trueaxis.cluster.tasks import Ended, Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
-from trueaxis.fleets.plan import Chain, chains_of
-from trueaxis.fleets.row import ROW_FILE, Row, read_row, row_text
+from trueaxis.fleets.row import ROW_FILE, Row, read_row, row_text, rows_frame
 from trueaxis.fleets.summary import Summary, summary_of
-from trueaxis.fleets.table import rows_frame
-from trueaxis.fleets.unit import Unit, inputs_digest, kept_row
+from trueaxis.fleets.unit import Chain, Unit, chains_of, inputs_digest, kept_row
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering

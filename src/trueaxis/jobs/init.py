@@ -13,9 +13,8 @@ from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.outputs import named
 from trueaxis.machine.machine import LINEAR, Machine
-from trueaxis.machine.new_spec import new_spec
 from trueaxis.machine.read import parse_machine
-from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, parse_structure
+from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, new_spec, parse_structure
 from trueaxis.model.errors import ErrorValues, dump_errors
 
 STEM = r"[A-Za-z][A-Za-z0-9_-]{0,99}"

@@ -30,13 +30,12 @@ from trueaxis.model.curves import Curve, PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.extended import new_setup, setup_text
+from trueaxis.planning.judge import slices
 from trueaxis.planning.method import PlanOptions, Proposed, first_plan, judged_plan, proposed
 from trueaxis.planning.propose import VOLUME
 from trueaxis.planning.report import PlanReport
 from trueaxis.planning.report_text import report_json, report_text
-from trueaxis.planning.runs import PlannedRuns
-from trueaxis.planning.slices import slices
+from trueaxis.planning.runs import PlannedRuns, new_setup, setup_text
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

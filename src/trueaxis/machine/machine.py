@@ -1,7 +1,11 @@
-"""The frozen record of a machine: bodies, their lower bodies, and what may be wrong between them."""
+"""The frozen record of a machine: bodies, their lower bodies, and what may be wrong between them.
+
+Positions that programs rely on and do not state are in its tables [start] and [reference_points].
+"""
 
 import hashlib
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -10,12 +14,14 @@ from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import Direction, ErrorName
 from trueaxis.io.html_table import html_table
-from trueaxis.machine.places import Position
+from trueaxis.machine.fields import Fields
 from trueaxis.machine.prior import Prior
 
 AXES = ("X", "Y", "Z", "A", "B", "C")
 LINEAR, ROTARY = AXES[:3], AXES[3:]
 BED = 1
+REFERENCE_CODES = ("G28", "G30")
+Position = tuple[tuple[str, float], ...]  # (axis, mm or deg) pairs, in the order of the machine's axes
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -140,3 +146,36 @@ class Machine:
             rows.append((one.number, one.name, one.lower, one.moves, travel, ", ".join(one.motion_errors), locations))
         head = ("body", "name", "lower", "moves", "travel, mm or deg", "motion errors", "location errors")
         return html_table(f"{self.name}: {self.title}", head, rows)
+
+
+def read_start(top: Fields, travel: Mapping[str, tuple[float, float]]) -> Position:
+    """[start]: axis positions before a program, mm and deg; axes that it does not name are taken at home."""
+    return _position(top.table("start"), travel)
+
+
+def read_reference_points(top: Fields, travel: Mapping[str, tuple[float, float]]) -> tuple[tuple[str, Position], ...]:
+    """[reference_points]: machine positions to which G28 and G30 go, for the axes that are named."""
+    fields = top.table("reference_points")
+    points = tuple((code, _position(fields.table(code), travel)) for code in REFERENCE_CODES if code in fields.raw)
+    fields.refuse_others(", ".join(REFERENCE_CODES))
+    return points
+
+
+def _position(fields: Fields, travel: Mapping[str, tuple[float, float]]) -> Position:
+    values = [(axis, _within(fields, axis, travel[axis])) for axis in travel if axis in fields.raw]
+    fields.refuse_others(_names(tuple(travel)))
+    return tuple((axis, value) for axis, value in values if value is not None)
+
+
+def _within(fields: Fields, axis: str, travel: tuple[float, float]) -> float | None:
+    low, high = travel
+    right = f"a position within the travel, from {low:g} to {high:g}"
+    value = fields.number(axis, right)
+    if value is not None and not low <= value <= high:
+        fields.fault(axis, f"is {value:g}", right)
+        return None
+    return value
+
+
+def _names(axes: Sequence[str]) -> str:
+    return f"the axes of the machine: {' '.join(axes)}"

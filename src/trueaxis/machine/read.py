@@ -11,8 +11,7 @@ from trueaxis.machine.body import PROSE, PROSE_MEANING, read_body, read_joint
 from trueaxis.machine.effect_kinds import read_effect_kinds
 from trueaxis.machine.effects import read_effects, with_squareness
 from trueaxis.machine.fields import Complain, Fields
-from trueaxis.machine.machine import AXES, BED, LINEAR, Body, Machine
-from trueaxis.machine.places import read_reference_points, read_start
+from trueaxis.machine.machine import AXES, BED, LINEAR, Body, Machine, read_reference_points, read_start
 from trueaxis.machine.prior import read_prior
 from trueaxis.machine.structure import check_structure
 from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure

@@ -1,4 +1,4 @@
-"""Structure codes: the order of the axes between workpiece and tool in one line of text.
+"""Structure codes: the order of the axes between workpiece and tool in one line of text, and a new spec from it.
 
 Read are: ISO 10791-6, `[w C' Y' b X Z B t]` (workpiece, its axes with primes, bed, axes of the tool, tool; or the other
 way round); the compact code with F (or b) for the fixed bed, `YFXZ`, from workpiece to tool; and the chain of the tool
@@ -7,12 +7,19 @@ with the axes of the workpiece behind a plus, both from the bed outwards, `XZB+Y
 
 import re
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from trueaxis.error_name import DIRECTIONS, Direction, rotation_about
 from trueaxis.machine.machine import AXES, LINEAR
 
 _ISO = re.compile(r"\[?\s*(?P<first>[wt])(?P<left>[^b]*)b(?P<right>[^b]*)(?P<last>[wt])\s*\]?")
+
+TURNED = (
+    "# Positive commands move what carries the workpiece to {axis}+, and the tool to {axis}- of the workpiece.\n"
+    "# Where the control counts the other way (ISO 841 does):\n"
+    "# sense = -1\n"
+)
 
 
 class StructureCodeError(ValueError):
@@ -101,3 +108,26 @@ def _axes(text: str, *, primes: bool = False) -> tuple[str, ...]:
 
 def _third(first: str, second: str) -> Direction:
     return rotation_about(next(letter for letter in LINEAR if letter not in (first, second)))
+
+
+def new_spec(
+    name: str, structure: str, order: AxisOrder, travel: Mapping[str, tuple[float, float]], sense: Mapping[str, int]
+) -> str:
+    """The text. structure: a code that reads as `order`, without quotes; travel: axis -> ends, mm or deg, rotary axes
+    may be left out; sense: axis -> 1 or -1, 1 where nothing is said.
+    """
+    parts = [f'schema = 1\nname = "{name}"\nstructure = "{structure}"\n']
+    for axis in AXES:
+        if axis not in order.workpiece + order.tool:
+            continue
+        parts.append(f"\n[axis.{axis}]\n")
+        if axis in travel:
+            low, high = travel[axis]
+            parts.append(f"travel = [{low!r}, {high!r}]\n")
+        if axis in sense:
+            parts.append(f"sense = {sense[axis]}\n")
+        elif axis in order.workpiece:
+            parts.append(TURNED.format(axis=axis))
+        if axis in "ABC":
+            parts.append("# position = [0.0, 0.0, 0.0]  # where its axis lies, from the axis that it stands on, mm\n")
+    return "".join(parts)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
+from trueaxis.effects.placement import FARTHEST, REFERENCE_TEMPERATURE
 
 FloatArray = npt.NDArray[np.float64]
 Rows = npt.NDArray[np.int64] | npt.NDArray[np.bool_] | slice

@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Place
-from trueaxis.effects.placement import used_variables
-from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE, SINCE_REVERSAL
+from trueaxis.effects.placement import FARTHEST, REFERENCE_TEMPERATURE, SINCE_REVERSAL, used_variables
 from trueaxis.machine.machine import Machine
 from trueaxis.model import effect_library
 from trueaxis.model.context import Context, FloatArray, ReadingContext

@@ -1,21 +1,38 @@
-"""`trueaxis plan`: what a set of runs will tell, before a reading is taken."""
+"""`trueaxis plan`: what a set of runs will tell, before a reading is taken: of errors, of effects, of the tool point.
+
+The noise that it is judged for is as given, as the device's table states it, else a round figure.
+"""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.combinations import combinations
-from trueaxis.estimation.judgement import Judged, judged_component, judged_location
+from trueaxis.estimation.effects.planned import planned_effects
+from trueaxis.estimation.effects.unknowns import unit_in
+from trueaxis.estimation.expected import expected
+from trueaxis.estimation.judgement import TENTH, Judged, judged_component, judged_location
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.estimation.result import Estimate
-from trueaxis.estimation.tool_point import tool_summary
-from trueaxis.identification.estimated_effects import covariance_with_effects
-from trueaxis.measurement.instrument_kinds import small_unit
-from trueaxis.measurement.setup import Vector
-from trueaxis.planning.measuring_time import minutes
-from trueaxis.planning.report import ErrorReport, Expectations, ExpectedEffect, NoiseReport
-from trueaxis.planning.runs import PlannedRuns
+from trueaxis.estimation.tool_point import tool_point, tool_summary
+from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty
+from trueaxis.identification.weighting import NoiseModel, weighting
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS, small_unit
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Device, Vector
+from trueaxis.model.effect_values import EffectValues, identity
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+from trueaxis.model.volume import middle_planes
+from trueaxis.planning.report import ErrorReport, Expectations, ExpectedEffect, ExpectedParameter, NoiseReport
+from trueaxis.planning.runs import PlannedRuns, minutes
+
+STEPS = 25  # along either side of a slice
+DEFAULT_UM = 1.0  # what lasers, ball bars and probes scatter by in a shop, and in urad angular optics and levels
 
 
 def judge(
@@ -90,3 +107,141 @@ def _noise(observed: Observations, noise: Mapping[int, float]) -> tuple[NoiseRep
             )
         )
     return tuple(found)
+
+
+def expected_with_effects(
+    model: MachineModel,
+    observed: Observations,
+    given: ErrorValues,
+    noise: Mapping[int, float],
+    values: Sequence[EffectValues],
+) -> tuple[Estimate, tuple[ExpectedEffect, ...]]:
+    """The estimate to expect, effects of the spec among its unknowns, and a report of them, in the order of the spec.
+
+    noise: of every run, by index, mm; values: at which effects are linearised, see `planned_effects`. A squareness is
+    a location error.
+    """
+    planned = planned_effects(model, observed, given, values)
+    found = expected(model, observed, given, noise, planned.unknowns)
+    stated = {identity(one.effect) for one in values}
+    reports = []
+    for effect in model.effects:
+        kind = model.kinds[effect.kind]
+        if kind.place == "location":
+            continue
+        if effect in planned.lacking:
+            reports.append(ExpectedEffect(effect=effect.label, state="lacking", missing=planned.lacking[effect]))
+        elif any(one.effect == effect for one in planned.unknowns.members):
+            reports.append(_told(found, effect, kind, stated=identity(effect) in stated))
+        else:
+            reports.append(ExpectedEffect(effect=effect.label, state="given"))
+    return found, tuple(reports)
+
+
+def _told(found: Estimate, effect: Effect, kind: Kind, *, stated: bool) -> ExpectedEffect:
+    values = next(one for one in with_uncertainty(found.values, found).effects if one.effect == effect)
+    u = [values.u.get(one.name, np.nan) for one in kind.parameters]
+    parameters = tuple(
+        ExpectedParameter(
+            name=one.name,
+            value=values.parameters[one.name],
+            u=None if np.isnan(own) else own,
+            unit=unit_in(one.unit, effect),
+            role=one.role,
+        )
+        for one, own in zip(kind.parameters, u, strict=True)
+    )
+    if all(one.u is None for one in parameters):
+        return ExpectedEffect(effect=effect.label, state="silent", parameters=parameters, stated=stated)
+    return ExpectedEffect(
+        effect=effect.label,
+        state="errors" if _among_errors(found, effect) else "data",
+        parameters=parameters,
+        stated=stated,
+    )
+
+
+def _among_errors(found: Estimate, effect: Effect) -> bool:
+    """Whether u of the amplitudes would be a tenth or less if the errors of the machine were known."""
+    effects, first = found.layout.effects, found.layout.of_effects.start
+    (place,) = (k for k, one in enumerate(effects.members) if one.effect == effect)
+    member, mine = effects.members[place], effects.slices()[place]
+    start = first + mine.start
+    spread = found.spread[start : start + member.count - len(member.free)]
+    of_errors, _ = np.linalg.qr(found.spread[: found.layout.of_machine].T)
+    beside = spread - (spread @ of_errors) @ of_errors.T
+    return bool(np.linalg.norm(beside) < TENTH * np.linalg.norm(spread))
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Slice:
+    """Two axes that move to (n,) and (m,), mm; u: (m, n), mm, of the tool point; at: where the other axes stand."""
+
+    axes: tuple[str, str]
+    first: FloatArray
+    second: FloatArray
+    u: FloatArray
+    at: dict[str, float]
+
+
+def slices(found: Estimate, tools: Sequence[Vector]) -> tuple[Slice, ...]:
+    """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
+    return tuple(
+        Slice(
+            axes=one.axes,
+            first=one.first,
+            second=one.second,
+            u=tool_point(found, one.positions, tools).u.reshape(STEPS, STEPS),
+            at=one.at,
+        )
+        for one in middle_planes(found.layout.model, STEPS)
+    )
+
+
+def noise_of_runs(observed: Observations, stated: NoiseModel) -> dict[int, float]:
+    """Standard deviation of the readings of every run, by index, mm: stated for the run or its instrument, else as of a
+    plan that states none. Raises InputError for names that are no run and no instrument.
+    """
+    runs = [(int(index), observed.runs[index]) for index in np.unique(observed.run)]
+    found = {index: _of_device(run.instrument, run.device, stated) for index, run in runs}
+    if not stated.by_group:
+        return found
+    silent = [(index, run) for index, run in runs if not {run.id, run.instrument} & stated.by_group.keys()]
+    filled = {run.id: 1e3 * found[index] for index, run in silent if run.instrument != ANGLE}
+    angles = [1e3 * found[index] for index, run in runs if run.instrument == ANGLE]
+    whole = replace(stated, by_group={**stated.by_group, **filled}, urad=stated.urad or next(iter(angles), None))
+    weights = weighting(observed, whole)
+    assert weights.sigma is not None
+    each = weights.sigma / weights.roots
+    named = {index: float(each[observed.run == index][0]) for index, _ in runs}
+    return {**named, **{index: found[index] for index, _ in silent}}
+
+
+def noise_of_instruments(
+    instruments: Sequence[str], devices: Mapping[str, Device], stated: NoiseModel
+) -> dict[str, float]:
+    """Standard deviation of the readings of new runs, by instrument, mm: stated for it, else as of a plan that states
+    none.
+    """
+    return {
+        name: 1e-3 * stated.by_group[name]
+        if name in stated.by_group and name != ANGLE
+        else _of_device(name, devices.get(name), stated)
+        for name in instruments
+    }
+
+
+def refuse_runs(stated: NoiseModel) -> None:
+    """Raise InputError where the noise of a first plan names what is no instrument: it has no runs yet."""
+    wrong = [name for name in stated.by_group if name not in INSTRUMENTS or name == ANGLE]
+    right = ", ".join(name for name in INSTRUMENTS if name != ANGLE)
+    if wrong:
+        raise InputError([Fault("--noise-um", name, "is no instrument of lengths", right) for name in wrong])
+
+
+def _of_device(instrument: str, device: Device | None, stated: NoiseModel) -> float:
+    """Standard deviation, mm; of an angle at ARM, where a microradian is a micrometre."""
+    given = stated.urad if instrument == ANGLE else stated.um
+    if given is not None:
+        return 1e-3 * given
+    return device.noise if device is not None and device.noise is not None else 1e-3 * DEFAULT_UM

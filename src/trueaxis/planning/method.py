@@ -16,13 +16,10 @@ from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import LENGTHS, Candidate, Kit
-from trueaxis.planning.choice import LEAST_FALL, Chosen
-from trueaxis.planning.effects import expected_with_effects
-from trueaxis.planning.judge import judge
+from trueaxis.planning.judge import expected_with_effects, judge, noise_of_instruments, noise_of_runs, refuse_runs
 from trueaxis.planning.location_sets import location_sets
-from trueaxis.planning.noise import noise_of_instruments, noise_of_runs, refuse_runs
 from trueaxis.planning.order import order
-from trueaxis.planning.propose import VOLUME, Proposal, Wish, for_noise, named, propose
+from trueaxis.planning.propose import LEAST_FALL, VOLUME, Chosen, Proposal, Wish, for_noise, named, propose
 from trueaxis.planning.report import Added, PlanReport, ProposalReport
 from trueaxis.planning.runs import PlannedRuns, no_runs
 

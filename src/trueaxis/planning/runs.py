@@ -1,17 +1,33 @@
-"""The runs of a plan with their rows, whose readings are not looked at; with some left out, or with others added."""
+"""The runs of a plan with their rows, whose readings are not looked at; with some left out, or with others added.
 
-from collections.abc import Collection, Sequence
+How long they take is setting an instrument up, starting a run, taking readings.
+
+These are round figures for one practised person, to weigh runs against one another; nobody's stop-watch. What counts is
+that a set-up takes as long as hundreds of readings, and that runs with one set-up share it.
+"""
+
+import tomllib
+from collections.abc import Collection, Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import DECIMALS
+from trueaxis.estimation.set_up import ball_of
+from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.readings import Readings, approach_directions
-from trueaxis.measurement.setup import Run
+from trueaxis.measurement.setup import Run, run_table, toml_text
 from trueaxis.planning.candidates import Candidate
+
+# aligning a beam or optics; a ball; a plate or sphere; clamping a sensor
+SET_UP_MINUTES = {"laser": 20.0, "ballbar": 10.0, "probe": 10.0, "angle": 20.0, "displacement": 10.0}
+RUN_MINUTES = 1.0  # zeroing, starting the program, storing
+# moving and settling; a ball bar reads on the move; a sensor at rest is read over hours, which count by themselves
+READING_SECONDS = {"laser": 5.0, "ballbar": 0.5, "probe": 5.0, "angle": 5.0, "displacement": 5.0}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,3 +134,55 @@ def _with_rows(given: Readings, added: Sequence[Candidate]) -> Readings:
 def _start(run: Run, axes: Sequence[str]) -> FloatArray | None:
     home = home_positions(run, axes)
     return None if home is None else home[:, 0]
+
+
+def setup_text(given: str, added: Sequence[Candidate], file: str) -> str:
+    """The text of setup.toml with a [[run]] table for every run added.
+
+    file: named in the fault. Raises InputError where tables cannot be added to the text.
+    """
+    text = given.rstrip("\n") + "\n" + "".join(f"\n# {one.what}\n{run_table(one.run)}" for one in added)
+    try:
+        count = len(tomllib.loads(text).get("run", []))
+    except tomllib.TOMLDecodeError:
+        count = 0
+    if count != len(tomllib.loads(given).get("run", [])) + len(added):
+        problem = "runs cannot be added behind its text"
+        raise InputError([Fault(file, "key run", problem, "write the runs as [[run]] tables")])
+    return text
+
+
+def new_setup(machine: str) -> str:
+    """The text of a setup.toml without runs."""
+    return f"schema = 1\nmachine = {toml_text(machine)}\n"
+
+
+def set_up_of(run: Run, positions: FloatArray) -> Hashable:
+    """What runs with one set-up have in common: the ball, the plate or sphere; of a laser the optics and the line.
+
+    positions: (n_axes, n), mm or deg.
+    """
+    if run.instrument == "ballbar":
+        return (run.session, run.device, run.instrument, ball_of(run)[1])
+    key = (run.session, run.device, run.instrument, run.target, run.reference, run.frame)
+    if run.instrument == "probe":
+        return key
+    ends = [np.round(end(positions, axis=1), DECIMALS) + 0.0 for end in (np.min, np.max)] if positions.size else []
+    return (*key, run.direction, *(tuple(end.tolist()) for end in ends))
+
+
+def run_minutes(run: Run, readings: int) -> float:
+    """Of a run whose instrument is set up."""
+    return RUN_MINUTES + readings * READING_SECONDS[run.instrument] / 60.0
+
+
+def minutes(runs: Iterable[tuple[Run, FloatArray]]) -> float:
+    """Of runs with their positions, each set-up once."""
+    total, done = 0.0, set[Hashable]()
+    for run, positions in runs:
+        total += run_minutes(run, positions.shape[1])
+        key = set_up_of(run, positions)
+        if key not in done:
+            total += SET_UP_MINUTES[run.instrument]
+            done.add(key)
+    return total

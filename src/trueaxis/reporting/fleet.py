@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from urllib.parse import quote
 
-from trueaxis.fleets.plan import GIVEN, MACHINES
 from trueaxis.fleets.row import CauseFound, Row
 from trueaxis.fleets.summary import Changed, Summary
+from trueaxis.fleets.unit import GIVEN, MACHINES
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.quantity import ascii_only, quantity
 from trueaxis.reporting.diagnosis.words import TITLES

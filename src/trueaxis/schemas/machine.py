@@ -5,8 +5,7 @@ from trueaxis.error_name import DIRECTIONS
 from trueaxis.machine.body import FARTHEST
 from trueaxis.machine.effect_kinds import LARGEST_GRID, MOST_KINDS, MOST_PARAMETERS
 from trueaxis.machine.effects import ENDS
-from trueaxis.machine.machine import AXES
-from trueaxis.machine.places import REFERENCE_CODES
+from trueaxis.machine.machine import AXES, REFERENCE_CODES
 from trueaxis.machine.prior import LARGEST_SIZE, SIZES
 from trueaxis.machine.read import LABEL, MOST_BODIES, NAME, ROTATIONS
 from trueaxis.schemas.pieces import (

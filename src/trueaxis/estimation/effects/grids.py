@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Parameter
-from trueaxis.effects.variables import FARTHEST
+from trueaxis.effects.placement import FARTHEST
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.context import Context

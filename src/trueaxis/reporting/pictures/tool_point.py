@@ -10,7 +10,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from trueaxis.planning.slices import Slice
+from trueaxis.planning.judge import Slice
 from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
