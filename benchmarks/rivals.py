@@ -17,8 +17,8 @@ import numpy.typing as npt
 import sympy as sp
 
 from trueaxis.derivation import symbols
+from trueaxis.derivation.curve_routines import coefficient, curve
 from trueaxis.derivation.first_order import first_order
-from trueaxis.derivation.folded import coefficient, curve
 from trueaxis.derivation.views import view
 from trueaxis.error_name import ErrorName
 from trueaxis.machine import Machine

@@ -20,8 +20,8 @@ from wrenfold.code_generation import CppGenerator, FunctionDescription, PythonGe
 from wrenfold.type_info import NumericType, ScalarType
 
 from trueaxis.derivation import symbols
+from trueaxis.derivation.curve_routines import curve
 from trueaxis.derivation.first_order import first_order
-from trueaxis.derivation.folded import curve
 from trueaxis.derivation.routine import Argument, Assignment, Routine
 from trueaxis.derivation.views import view
 from trueaxis.machine import Machine

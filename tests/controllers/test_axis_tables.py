@@ -13,8 +13,7 @@ from tests.machines import machine_of
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes, round_step
 from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables
-from trueaxis.controllers.held_effects import untabled_effects
-from trueaxis.controllers.remaining import remaining, taken_by_tables
+from trueaxis.controllers.remaining import remaining, taken_by_tables, untabled_effects
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues

@@ -8,8 +8,8 @@ import pytest
 
 from tests.machines import ROOT
 from trueaxis.demo import study as module
+from trueaxis.demo.evaluate import left_um
 from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE, Study, study, study_text
-from trueaxis.demo.volume import left_um
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_model

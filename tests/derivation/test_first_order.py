@@ -10,9 +10,8 @@ from tests.kernels import call, kernels_of
 from tests.machines import machine_of
 from trueaxis.derivation import symbols
 from trueaxis.derivation.first_order import first_order
-from trueaxis.derivation.propagate import walk
 from trueaxis.derivation.routine import Binder
-from trueaxis.derivation.views import views
+from trueaxis.derivation.views import views, walk
 
 SAMPLE = OTHERS | {label: THREE_AXIS[label] for label in ("wbXYZt", "wXbYZt", "wYXbZt", "wXYZbt")}
 

@@ -6,7 +6,7 @@ import pytest
 from tests.derivation.topologies import OTHERS, THREE_AXIS
 from tests.exact_chain import DIGITS, ExactChain
 from tests.machines import machine_of
-from trueaxis.derivation.squareness import squarenesses
+from trueaxis.derivation.first_order import squarenesses
 
 CASES = OTHERS | {label: THREE_AXIS[label] for label in ("wXYZbt", "wbZYXt", "wYbXZt")}
 

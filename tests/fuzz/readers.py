@@ -28,7 +28,7 @@ from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, sam
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text

@@ -5,7 +5,7 @@ from itertools import permutations
 import pytest
 import sympy as sp
 
-from trueaxis.derivation.squareness import squarenesses
+from trueaxis.derivation.first_order import squarenesses
 from trueaxis.io.faults import Faults, InputError
 from trueaxis.machine.machine import Machine
 from trueaxis.machine.read import parse_machine

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from trueaxis.monte_carlo.drawn import COVERAGE, drawn_of, tolerance
-from trueaxis.monte_carlo.tally import Bins, Tally
+from trueaxis.monte_carlo.drawn import COVERAGE, Bins, Tally, drawn_of, tolerance
 
 DISTRIBUTIONS = {
     "normal": stats.norm(3.0, 0.2),

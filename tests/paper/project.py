@@ -13,9 +13,8 @@ import sympy as sp
 
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import chains, product
-from trueaxis.derivation.first_order import FirstOrder
+from trueaxis.derivation.first_order import FirstOrder, squarenesses
 from trueaxis.derivation.motion import motion_equation
-from trueaxis.derivation.squareness import squarenesses
 from trueaxis.machine import Machine, read_machine
 from trueaxis.view import Carrier
 

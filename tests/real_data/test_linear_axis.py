@@ -8,7 +8,7 @@ from tests.real_data.linear_axis_data import FILE, readings
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.diagnosis.structure import StructureClass
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/ess_iso230_2 is not here")
 

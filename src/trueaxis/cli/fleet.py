@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import option, positive, whole
 from trueaxis.cli.progress import progress
-from trueaxis.cluster.embedded import LEAST_MEMORY
-from trueaxis.cluster.workers import MOST_WORKERS
+from trueaxis.cluster.workers import LEAST_MEMORY, MOST_WORKERS
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.draws import GB, faults_of_workers
 from trueaxis.jobs.outputs import named

@@ -17,7 +17,7 @@ from trueaxis.machine import read_machine
 from trueaxis.measurement.points import dump_predicted, read_points
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.monte_carlo.table import drawn_columns
+from trueaxis.monte_carlo.drawn import drawn_columns
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]

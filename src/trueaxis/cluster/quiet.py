@@ -1,9 +1,15 @@
-"""Dask's own messages reach nobody: what a user must know of lost workers is told by who gave them work."""
+"""Dask's own messages reach nobody: what a user must know of lost workers is told by who gave them work.
+
+Each worker of this computer loads this as it starts: it says nothing, and an interrupt is for the first process.
+"""
 
 import logging
+import os
+import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 NAMES = ("distributed", "tornado", "asyncio")
 _SILENT = logging.CRITICAL + 1
@@ -28,3 +34,12 @@ def quiet() -> Iterator[None]:
     finally:
         for name, level in before.items() if foreign else ():
             logging.getLogger(name).setLevel(level)
+
+
+def dask_setup(_: Any) -> None:
+    """Called by the worker. Standard output and error go nowhere: what a task has to tell is in its result."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):
+        os.dup2(nowhere, stream)
+    os.close(nowhere)

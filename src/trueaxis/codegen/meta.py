@@ -5,8 +5,8 @@ from typing import Any
 
 from trueaxis.derivation import symbols
 from trueaxis.derivation.effect_terms import emitted_kinds
+from trueaxis.derivation.first_order import squarenesses
 from trueaxis.derivation.routine import Argument, Routine
-from trueaxis.derivation.squareness import squarenesses
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.machine.machine import ROTARY, Machine

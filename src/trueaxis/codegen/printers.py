@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.pycode import PythonCodePrinter
 
-from trueaxis.derivation.functions import Absolute, Root, Sign, Step
+from trueaxis.derivation.effect_terms import Absolute, Root, Sign, Step
 from trueaxis.derivation.routine import Argument, Routine
 
 _FUNCTIONS = (sp.cos, sp.sin, sp.exp, sp.tanh, Absolute, Root, Sign, Step)

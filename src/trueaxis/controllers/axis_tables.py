@@ -151,3 +151,9 @@ def _turned_off(model: MachineModel, axis: str, at: FloatArray) -> tuple[FloatAr
         errors = here.component_errors(positions)[model.components.index(name)]
         found.append(np.degrees(errors) * sense)
     return found[0], found[1]
+
+
+def plain(value: float, digits: int) -> str:
+    """Decimal digits without an exponent, without zeros at the end, never -0."""
+    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

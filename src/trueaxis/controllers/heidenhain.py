@@ -5,8 +5,7 @@ Values are errors, positive where the travel is too long: actual minus nominal (
 
 from collections.abc import Mapping, Sequence
 
-from trueaxis.controllers.axis_tables import AxisTable
-from trueaxis.controllers.numbers import plain
+from trueaxis.controllers.axis_tables import AxisTable, plain
 
 DIGITS = 6  # nm
 MOST_POINTS = 256  # entries of a .COM table

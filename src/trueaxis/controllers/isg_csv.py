@@ -18,8 +18,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.controllers.axis_tables import approached, nodes
-from trueaxis.controllers.numbers import plain
+from trueaxis.controllers.axis_tables import approached, nodes, plain
 from trueaxis.error_name import DIRECTIONS
 from trueaxis.machine.machine import AXES, BED, LINEAR, Body
 from trueaxis.model.curves import FloatArray

@@ -6,8 +6,7 @@ command (src/emc/motion/usrmotintf.cc and control.c).
 
 from collections.abc import Mapping, Sequence
 
-from trueaxis.controllers.axis_tables import AxisTable
-from trueaxis.controllers.numbers import plain
+from trueaxis.controllers.axis_tables import AxisTable, plain
 
 DIGITS = 7
 MOST_POINTS = 256  # EMCMOT_COMP_SIZE

@@ -1,4 +1,7 @@
-"""What a compensation leaves: the machine as the control would drive it, with the tables as they are written."""
+"""What a compensation leaves: the machine as the control would drive it, with the tables as they are written.
+
+A control sees positions and at best directions: effects of these it can know of.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -6,8 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.controllers.axis_tables import AxisTable, approached
+from trueaxis.effects.placement import SINCE_REVERSAL, context_of
 from trueaxis.model.context import Context
 from trueaxis.model.curves import FloatArray
+from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of
 
@@ -15,6 +20,8 @@ from trueaxis.model.uncertainty import home_of
 # to be off, mm or deg
 TakenOff = Callable[[FloatArray, FloatArray], FloatArray]
 ROUNDING = 1e-6  # mm: tables have steps of 1e-6 mm and more, and so has a machine without errors with them
+# what effects may depend on that no control is told of here: see effects/placement.py
+UNTABLED = {"v", *SINCE_REVERSAL, "t", "T"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,3 +78,26 @@ def taken_by_tables(model: MachineModel, tables: Sequence[AxisTable], *, both_di
 def _off(model: MachineModel, tool: FloatArray, wanted: FloatArray, commanded: FloatArray) -> FloatArray:
     """(3, n): where the tool is at the positions commanded, less where it should be at those wanted."""
     return model.ideal(commanded, tool) - model.ideal(wanted, tool) + model.deviation(commanded, tool)
+
+
+def held_effects(model: MachineModel) -> tuple[EffectValues, ...]:
+    """Effects on error components that depend on positions and directions alone."""
+    return tuple(one for one in _on_components(model) if not UNTABLED & _variables(model, one))
+
+
+def untabled_effects(model: MachineModel) -> tuple[str, ...]:
+    """Labels of effects of the error values on more than positions and directions: no table holds them."""
+    return tuple(one.effect.label for one in _on_components(model) if UNTABLED & _variables(model, one))
+
+
+def directed_effects(model: MachineModel) -> tuple[str, ...]:
+    """Labels of effects of the direction of approach."""
+    return tuple(one.effect.label for one in held_effects(model) if "direction" in _variables(model, one))
+
+
+def _on_components(model: MachineModel) -> list[EffectValues]:
+    return [one for one in model.effect_values if model.kinds[one.effect.kind].place == "component"]
+
+
+def _variables(model: MachineModel, values: EffectValues) -> set[str]:
+    return {name.removesuffix("_b") for name in context_of(model.kinds[values.effect.kind])}

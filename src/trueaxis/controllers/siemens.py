@@ -6,8 +6,7 @@ values are the deviations themselves, actual minus commanded.
 
 from collections.abc import Sequence
 
-from trueaxis.controllers.axis_tables import AxisTable
-from trueaxis.controllers.numbers import plain
+from trueaxis.controllers.axis_tables import AxisTable, plain
 
 DIGITS = 6  # nm
 ENC_HEAD = "%_N_AX_EEC_INI\nCHANDATA(1)\n"

@@ -7,10 +7,9 @@ import numpy as np
 
 from trueaxis.compensation.ends import commanded_ends
 from trueaxis.demo import inputs
-from trueaxis.demo.evaluate import circles, path_errors, read_wanted
+from trueaxis.demo.evaluate import circles, left_um, path_errors, read_wanted
 from trueaxis.demo.study import ESTIMATE, NOISE_UM, PROPOSED, STEPWISE, study, study_text
 from trueaxis.demo.summary import Figures, format_summary
-from trueaxis.demo.volume import left_um
 from trueaxis.io.files import write_files
 from trueaxis.io.told import NOT_DELIVERED
 from trueaxis.model.model import MachineModel, load_errors, load_model

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.demo.volume import left_um
+from trueaxis.demo.evaluate import left_um
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.paper.method import identify_paper

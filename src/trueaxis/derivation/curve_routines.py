@@ -1,22 +1,35 @@
-"""Routines for error curves that are polynomials: coefficients in, deviation of the tool point out."""
+"""Routines for error curves that are polynomials: coefficients in, deviation of the tool point out, in folded form.
 
-from collections.abc import Iterator
+Each entry of the deviation is a sum of (monomial in positions, cosines and sines) x (constant) x (component error),
+and every component error of one axis is a polynomial in the same position. So all terms of one entry that share
+monomial and axis are one polynomial, whose coefficients are folded once per call: fewer polynomials per point than
+there are component errors.
+"""
+
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.arguments import (
+from trueaxis.derivation.chain import Vector
+from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.routine import (
+    Argument,
+    Assignment,
+    Binder,
+    Routine,
+    build,
     by_row,
     parameters_argument,
     point_argument,
     positions_argument,
     vector_argument,
 )
-from trueaxis.derivation.folded import coefficient, curve, folded_deviation
-from trueaxis.derivation.propagate import walk
-from trueaxis.derivation.routine import Argument, Assignment, Binder, Routine, build
-from trueaxis.derivation.views import ViewWalk
+from trueaxis.derivation.views import ViewWalk, walk
+from trueaxis.error_name import ErrorName
 from trueaxis.machine.machine import ROTARY, Machine
+
+Monomial = tuple[int, ...]
 
 
 def curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
@@ -49,7 +62,7 @@ def curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
         *_walk_with_curves(machine, main, deviation.rows, exact=True),
     )
     binder = Binder()
-    folded = folded_deviation(machine, main, symbols.point(), binder)
+    folded = _folded_deviation(machine, main, symbols.point(), binder)
     candidates = [
         build(
             f"{main.name}_deviation_first_order_curves",
@@ -79,3 +92,72 @@ def _walk_with_curves(
     bound = [(target, value.xreplace(values)) for target, value in steps.assignments]
     results = dict(zip(rows, (d.xreplace(values) for d in walked.deviation), strict=True))
     return results, curves.assignments + bound
+
+
+def coefficient(component: str, power: int) -> sp.Symbol:
+    """Coefficient of a power of the axis position in a component's polynomial, mm or rad per mm^power or deg^power."""
+    return symbols.named(f"{component}_{power}")
+
+
+def _horner(coefficients: Sequence[sp.Expr], at: sp.Expr) -> sp.Expr:
+    """c1 at + c2 at^2 + ... in Horner's form (no constant term)."""
+    value: sp.Expr = sp.S.Zero
+    for c in reversed(coefficients):
+        value = at * (c + value)
+    return value
+
+
+def curve(component: ErrorName, degree: int) -> sp.Expr:
+    """A component error as a polynomial of its axis position."""
+    powers = range(1, degree + 1)
+    return _horner([coefficient(component, power) for power in powers], symbols.position(component.axis))
+
+
+def _folded_deviation(machine: Machine, view: ViewWalk, point: Vector, binder: Binder) -> Vector:
+    """The first-order deviation of a view (mm) with curves of the machine's degree, folded as above."""
+    columns = first_order(view, point).columns
+    generators = _generators(machine)
+    axis_of: dict[str, str] = {component: component.axis for component in machine.components}
+    entries: list[sp.Expr] = []
+    for row in range(3):
+        # monomial -> axis ("" for location errors) -> [(error, constant factor)]
+        groups: dict[Monomial, dict[str, list[tuple[str, sp.Expr]]]] = {}
+        for name, column in columns.items():
+            if column[row] == 0:
+                continue
+            axis = axis_of.get(name, "")
+            for monomial, constant in sp.Poly(column[row], *generators).terms():
+                groups.setdefault(monomial, {}).setdefault(axis, []).append((name, constant))
+        entries.append(sp.Add(*(_group(machine, generators, *item, binder) for item in sorted(groups.items()))))
+    x, y, z = entries
+    return x, y, z
+
+
+def _group(
+    machine: Machine,
+    generators: Sequence[sp.Symbol],
+    monomial: Monomial,
+    by_axis: dict[str, list[tuple[str, sp.Expr]]],
+    binder: Binder,
+) -> sp.Expr:
+    parts: list[sp.Expr] = []
+    for axis, terms in by_axis.items():
+        if not axis:
+            parts.append(binder.bind(sp.Add(*(constant * symbols.named(name) for name, constant in terms))))
+            continue
+        powers = range(1, machine.curve_degree + 1)
+        # With its sign taken out, a polynomial and its opposite in another entry are one.
+        sign = -1 if all(constant.could_extract_minus_sign() for _, constant in terms) else 1
+        folded = [
+            binder.bind(sp.Add(*(sign * constant * coefficient(name, power) for name, constant in terms)))
+            for power in powers
+        ]
+        parts.append(sign * binder.bind(_horner(folded, symbols.position(axis))))
+    weight = sp.Mul(*(g**power for g, power in zip(generators, monomial, strict=True)))
+    return binder.bind(weight * binder.bind(sp.Add(*parts)))
+
+
+def _generators(machine: Machine) -> list[sp.Symbol]:
+    linear = [symbols.position(axis) for axis in machine.axes if axis not in ROTARY]
+    rotary = [make(axis) for axis in machine.axes if axis in ROTARY for make in (symbols.cosine, symbols.sine)]
+    return linear + rotary

@@ -1,9 +1,16 @@
-"""The terms of effects: their expressions in SymPy, and the routines that compute them with their derivatives."""
+"""The terms of effects: their expressions in SymPy, and the routines that compute them with their derivatives.
+
+Their functions of a real argument stay as they were written, with the derivatives that a fit needs.
+
+SymPy's own turn into other functions: the derivative of its sign is a delta function, that of its absolute value is
+spelt out for complex arguments, and sqrt(x**2*y) becomes Abs(x)*sqrt(y).
+"""
+
+from typing import Any
 
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.functions import Absolute, Root, Sign, Step
 from trueaxis.derivation.routine import Argument, Routine, build
 from trueaxis.effects.evaluate import value_of
 from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
@@ -11,6 +18,61 @@ from trueaxis.effects.kind import Kind
 from trueaxis.effects.library import BY_NAME
 from trueaxis.effects.placement import VARIABLES, context_of
 from trueaxis.machine.machine import Machine
+
+_DIGITS = 17  # of a constant that is not kept as a fraction: those of a double
+
+
+class Absolute(sp.Function):  # type: ignore[misc]
+    """The absolute value; its derivative is the sign."""
+
+    is_real = True
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:  # noqa: ARG002  SymPy's signature
+        """Derivative by the argument."""
+        return Sign(self.args[0])
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        return _raised(rf"\left|{printer._print(self.args[0])}\right|", exp)
+
+
+class Sign(sp.Function):  # type: ignore[misc]
+    """-1, 0 or 1; its derivative is taken as 0 everywhere."""
+
+    is_real = True
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:  # noqa: ARG002
+        """Derivative by the argument."""
+        return sp.S.Zero
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        return _raised(rf"\mathrm{{sgn}}\left({printer._print(self.args[0])}\right)", exp)
+
+
+class Step(sp.Function):  # type: ignore[misc]
+    """1 from 0 upwards, 0 below; its derivative is taken as 0 everywhere."""
+
+    is_real = True
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:  # noqa: ARG002
+        """Derivative by the argument."""
+        return sp.S.Zero
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        return _raised(rf"H\left({printer._print(self.args[0])}\right)", exp)
+
+
+class Root(sp.Function):  # type: ignore[misc]
+    """The square root."""
+
+    is_real = True
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:  # noqa: ARG002
+        """Derivative by the argument."""
+        return 1 / (2 * self)
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        return _raised(rf"\sqrt{{{printer._print(self.args[0])}}}", exp)
+
 
 _FUNCTIONS = {
     "sin": sp.sin,
@@ -22,7 +84,6 @@ _FUNCTIONS = {
     "sign": Sign,
     "step": Step,
 }
-_DIGITS = 17  # of a constant that is not kept as a fraction: those of a double
 
 
 def term(kind: Kind) -> sp.Expr:
@@ -141,3 +202,7 @@ def effect_routine(kind: Kind) -> Routine:
         (output,),
         dict(zip(rows, values, strict=True)),
     )
+
+
+def _raised(text: str, exponent: str) -> str:
+    return f"{{{text}}}^{{{exponent}}}" if exponent else text

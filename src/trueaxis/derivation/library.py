@@ -5,7 +5,13 @@ from collections.abc import Iterator
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.arguments import (
+from trueaxis.derivation.curve_routines import curve_routines
+from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.routine import (
+    Argument,
+    Binder,
+    Routine,
+    build,
     by_row,
     errors_argument,
     parameters_argument,
@@ -13,11 +19,7 @@ from trueaxis.derivation.arguments import (
     positions_argument,
     vector_argument,
 )
-from trueaxis.derivation.curve_routines import curve_routines
-from trueaxis.derivation.first_order import first_order
-from trueaxis.derivation.propagate import walk
-from trueaxis.derivation.routine import Argument, Binder, Routine, build
-from trueaxis.derivation.views import ViewWalk, view, views
+from trueaxis.derivation.views import ViewWalk, view, views, walk
 from trueaxis.machine.machine import LINEAR, ROTARY, Machine
 
 _XYZ = ("x", "y", "z")

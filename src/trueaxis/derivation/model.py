@@ -5,11 +5,20 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.derivation import arguments, library, symbols
+from trueaxis.derivation import library, symbols
 from trueaxis.derivation.effect_terms import effect_routines
+from trueaxis.derivation.first_order import Squareness, squarenesses
 from trueaxis.derivation.motion import MotionEquation, standard_motions
-from trueaxis.derivation.routine import Argument, Routine, build
-from trueaxis.derivation.squareness import Squareness, squarenesses
+from trueaxis.derivation.routine import (
+    Argument,
+    Routine,
+    build,
+    errors_argument,
+    parameters_argument,
+    point_argument,
+    positions_argument,
+    vector_argument,
+)
 from trueaxis.derivation.systems import Identification, IdentificationSystem, RunPattern, identification
 from trueaxis.machine.machine import Machine
 
@@ -55,14 +64,9 @@ def system_name(index: int) -> str:
 
 
 def _motion_routine(machine: Machine, equation: MotionEquation) -> Routine:
-    points = [
-        arguments.point_argument(seen, name=f"{seen}_point", prefix=f"r{seen[0].upper()}")
-        for _, seen, _ in equation.terms
-    ]
+    points = [point_argument(seen, name=f"{seen}_point", prefix=f"r{seen[0].upper()}") for _, seen, _ in equation.terms]
     what = " minus ".join(f"{seen} point" for _, seen, _ in equation.terms)
-    output = arguments.vector_argument(
-        "displacement", ("dx", "dy", "dz"), f"{what}, displacement since home, in the bed frame"
-    )
+    output = vector_argument("displacement", ("dx", "dy", "dz"), f"{what}, displacement since home, in the bed frame")
     ideal, deviation = equation.motion.ideal, equation.motion.deviation()
     axes = " and ".join(equation.moves)
     return build(
@@ -70,9 +74,9 @@ def _motion_routine(machine: Machine, equation: MotionEquation) -> Routine:
         f"Motion equation of {axes}: displacement of the {what} since home, to first order.",
         "Eqs. (7)-(11)",
         (
-            arguments.positions_argument(machine),
-            arguments.errors_argument(machine),
-            arguments.parameters_argument(machine),
+            positions_argument(machine),
+            errors_argument(machine),
+            parameters_argument(machine),
             *points,
         ),
         (output,),
@@ -104,9 +108,9 @@ def _system_routine(machine: Machine, index: int, system: IdentificationSystem, 
             Argument(
                 name="readings", rows=readings, shape=(len(readings),), per_point=True, unit="mm", description=measured
             ),
-            arguments.positions_argument(machine),
-            arguments.errors_argument(machine),
-            arguments.parameters_argument(machine),
+            positions_argument(machine),
+            errors_argument(machine),
+            parameters_argument(machine),
             Argument(
                 name="points", rows=points, shape=(len(system.points), 3), per_point=False, unit="mm", description=what
             ),

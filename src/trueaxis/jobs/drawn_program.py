@@ -15,9 +15,8 @@ from trueaxis.measurement.points import TOOL_COLUMNS
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
-from trueaxis.monte_carlo.drawn import Drawn
+from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.settings import Draws
-from trueaxis.monte_carlo.table import drawn_columns
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

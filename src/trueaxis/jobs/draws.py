@@ -5,9 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.cluster.embedded import LEAST_MEMORY
 from trueaxis.cluster.tasks import Task, run_tasks
-from trueaxis.cluster.workers import MOST_WORKERS, Workers, client_of
+from trueaxis.cluster.workers import LEAST_MEMORY, MOST_WORKERS, Workers, client_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.given import Spelled, argument, kernels_of
 from trueaxis.machine.machine import Machine
@@ -16,10 +15,9 @@ from trueaxis.model.curves import FloatArray
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.kernels import Kernels, load_kernels
 from trueaxis.model.model import MachineModel
-from trueaxis.monte_carlo.drawn import Drawn, drawn_of
+from trueaxis.monte_carlo.drawn import Bins, Drawn, Tally, drawn_of
 from trueaxis.monte_carlo.points import Drawing, DrawnPoints, with_length
 from trueaxis.monte_carlo.settings import MOST_DRAWS, Draws, generators, parts
-from trueaxis.monte_carlo.tally import Bins, Tally
 
 MOST_POINTS = 20_000  # whose distributions are kept: 10 kB each
 FIRST_SAMPLE = 1000  # draws from which the ranges of the bins are taken, of few points

@@ -14,7 +14,7 @@ from trueaxis.evaluation.iso230_2 import report as positioning_report
 from trueaxis.evaluation.iso230_2.evaluation import Evaluation, Repeatability
 from trueaxis.evaluation.iso230_2.evaluation import evaluate as evaluate_positioning
 from trueaxis.evaluation.iso230_2.positioning_test import LARGEST_DEVIATION, PositioningTest, too_few
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 from trueaxis.evaluation.iso230_4 import report as circular_report
 from trueaxis.evaluation.iso230_4.circular_test import CircularTest, circular_test
 from trueaxis.evaluation.iso230_4.contributions import Contributions, contributions

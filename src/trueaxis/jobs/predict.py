@@ -38,10 +38,9 @@ from trueaxis.model.extent import MOST_NAMED, open_names
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of, prior_size, tool_uncertainty
-from trueaxis.monte_carlo.drawn import Drawn
+from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws
-from trueaxis.monte_carlo.table import drawn_columns
 from trueaxis.reporting.reliance import (
     above_sentence,
     draw_sentences,

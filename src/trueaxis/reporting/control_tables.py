@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 
 from trueaxis.controllers.formats import ISG, KINS, TABLE_FORMATS, Export
-from trueaxis.controllers.held_effects import directed_effects, untabled_effects
-from trueaxis.controllers.remaining import Remaining
+from trueaxis.controllers.remaining import Remaining, directed_effects, untabled_effects
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.model import MachineModel
 

@@ -13,7 +13,7 @@ import pytest
 
 from trueaxis.evaluation.iso230_2.evaluation import Evaluation, evaluate
 from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 
 FOLDER = Path(__file__).parents[4] / "shared" / "data" / "ess_iso230_2"
 DIGITS = 5

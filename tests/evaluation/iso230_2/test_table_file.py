@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.evaluation.iso230_2.builders import made_up
 from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest, Unit
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 from trueaxis.io.faults import Fault, InputError
 
 TEST = made_up(3, 2)

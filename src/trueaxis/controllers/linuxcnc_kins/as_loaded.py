@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.controllers.axis_tables import approached
-from trueaxis.controllers.held_effects import held_effects
-from trueaxis.controllers.remaining import TakenOff
+from trueaxis.controllers.remaining import TakenOff, held_effects
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 

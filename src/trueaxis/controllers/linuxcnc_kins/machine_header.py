@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 
 from trueaxis.c_prefix import c_prefix
-from trueaxis.controllers.held_effects import held_effects
 from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND
+from trueaxis.controllers.remaining import held_effects
 from trueaxis.machine.machine import AXES, LINEAR
 from trueaxis.model.curves import Curve, FloatArray, LegendreCurve, PolynomialCurve, TableCurve
 from trueaxis.model.effect_terms import context_variables

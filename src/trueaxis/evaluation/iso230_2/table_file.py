@@ -1,5 +1,6 @@
-"""A positioning test as a plain table: columns target, cycle, direction and measured (the position) or deviation; a row
-per reading, in any order.
+"""The file of a positioning test, whichever form it has, and its form as a plain table.
+
+Its columns are target, cycle, direction and measured (the position) or deviation; a row per reading, in any order.
 """
 
 from collections.abc import Mapping
@@ -10,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.evaluation.iso230_2.dat_file import read_dat
 from trueaxis.evaluation.iso230_2.positioning_test import (
     FARTHEST_TARGET,
     LARGEST_DEVIATION,
@@ -19,15 +21,15 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     Unit,
     too_few,
 )
-from trueaxis.io.faults import Faults
+from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.input_files import decoded, input_bytes
 from trueaxis.measurement.columns import note, numbers, shortened, texts, whole_numbers
 from trueaxis.measurement.delimited import Dimension, as_table, factor, heading, read_delimited, units_of
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
 
+TABLES = (".csv", ".txt", ".parquet")
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
-
 COLUMNS = ("target", "cycle", "direction", "measured")
 DEVIATION = "deviation"  # in place of the last one
 POSITIVE = ("+1", "1", "+", "forward", "fwd", "positive", "pos")
@@ -35,6 +37,15 @@ NEGATIVE = ("-1", "-", "backward", "bwd", "negative", "neg")
 _NAMES = ("forward", "backward")
 # Share of the range of targets below which positions that are far off are deviations: positions follow their targets
 STILL = 0.2
+
+
+def read_positioning_test(path: Path, unit: Unit = "mm") -> PositioningTest:
+    """Read a .dat, .csv, .txt or .parquet file; unit: of its positions. Raises InputError with every fault."""
+    if path.suffix == ".dat":
+        return read_dat(path, unit)
+    if path.suffix in TABLES:
+        return read_positioning_table(path, unit)
+    raise InputError([Fault(str(path), "", "is of no known kind", "a name that ends in .dat, .csv, .txt or .parquet")])
 
 
 def read_positioning_table(path: Path, unit: Unit = "mm") -> PositioningTest:
