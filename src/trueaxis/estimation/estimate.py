@@ -142,6 +142,7 @@ def _rounds(
     x: sizes at first, if they are known.
     """
     draw = np.random.default_rng(SEED)
+    known = x is not None
     x = np.zeros(sizes.spread.size) if x is None else x
     for rounds in range(1, most + 1):
         found = linearised(state)
@@ -150,7 +151,7 @@ def _rounds(
         x, posterior = best_sizes(sizes, found, x)
         posterior, _ = _determined(sizes, posterior)
         before = moved(state, posterior, sizes.own_scales(x))
-        state = without_outliers(with_noise(before, posterior, draw))
+        state = without_outliers(with_noise(before, posterior, draw, known or rounds > 1))
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
         same = all((one.good == now.good).all() for one, now in zip(before.runs, state.runs, strict=True))
         if change < SETTLED and same and rounds >= least:
@@ -244,7 +245,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         return misread, []
     sure = {index: one for index, one in misread.items() if one.sure}
     if not sure:
-        return misread, contradictions(fitted, posterior, continued, refit, SURE)
+        return misread, contradictions(fitted, posterior, continued, SURE)
     others = unexplained(fitted, sure, refit)
     elsewise = {index for one in others for index in one.runs}
     return {index: one for index, one in misread.items() if index not in elsewise}, others

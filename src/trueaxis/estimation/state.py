@@ -191,8 +191,11 @@ def _misfit(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]
     return total
 
 
-def with_noise(state: State, posterior: Posterior, draw: np.random.Generator) -> State:
-    """With the noise of every instrument whose noise is not stated, from residuals of draws of the posterior."""
+def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, known: bool = False) -> State:
+    """With the noise of every instrument whose noise is not stated, from residuals of draws of the posterior.
+
+    known: whether its shape is nearly as it is already.
+    """
     normal = draw.standard_normal((posterior.spread.shape[1], DRAWS))
     own = [
         one.by_others @ normal + one.alone @ draw.standard_normal((one.alone.shape[1], DRAWS)) for one in posterior.own
@@ -207,7 +210,9 @@ def with_noise(state: State, posterior: Posterior, draw: np.random.Generator) ->
         members = [place for place, one in enumerate(state.runs) if one.instrument == name]
         steps = [state.runs[place].kept().steps for place in members]
         enough = -(-DRAWN // max(sum(one.size for one in steps), 1))
-        found, scales[members] = noise_of_draws([draws[place][:, :enough] for place in members], steps)
+        found, scales[members] = noise_of_draws(
+            [draws[place][:, :enough] for place in members], steps, state.noise[name] if known else None
+        )
         devices = {state.runs[place].rows.run.device for place in members}
         resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
         noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
