@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import block_diag, csr_array, eye_array
+from scipy.sparse import block_diag, csr_array, diags_array, eye_array, hstack
 
 from trueaxis.error_name import ErrorName
 from trueaxis.machine.machine import Machine
@@ -230,17 +230,18 @@ def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
     undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
     known = bool(np.isfinite(u).any())
     opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
-    root, of_prior = _own_root(u, _own_parts(errors, curves, bases, locations, u.size), opened)
+    by_parts = _own_parts(errors, curves, bases, locations, u.size)
+    root, of_prior = _own_root(u, by_parts, opened) if known else (None, None)
     return Covariance(
         machine=machine.name,
         components=tuple(bases),
         bases=tuple(bases.values()),
         locations=locations,
-        root=root if known else None,
-        open=np.eye(u.size)[:, opened],
+        root=root,
+        open=_steps(opened),
         effects=tuple(values.effect.label for values in errors.effects),
         effect_parameters=tuple(names),
-        of_prior=of_prior if known else None,
+        of_prior=of_prior,
     )
 
 
@@ -264,12 +265,23 @@ def _own_parts(
     return found
 
 
-def _own_root(u: FloatArray, parts: FloatArray, opened: BoolArray) -> tuple[FloatArray, int | None]:
-    """A root of the covariance of values that are independent, and how many of its columns are the prior's."""
+def _own_root(u: FloatArray, parts: FloatArray, opened: BoolArray) -> tuple[csr_array, int | None]:
+    """A root of the covariance of values that are independent, and how many of its columns are the prior's.
+
+    Tables have thousands of values: a matrix of all values times all would take gigabytes.
+    """
     if np.isnan(parts[:, ~opened]).any():
-        return np.diag(np.where(opened, 0.0, u)), None
+        return csr_array(diags_array(np.where(opened, 0.0, u))), None
     readings, by_prior = np.where(opened, 0.0, parts)
-    return np.hstack([np.diag(readings), np.diag(by_prior)]), u.size
+    return csr_array(hstack([diags_array(readings), diags_array(by_prior)])), u.size
+
+
+def _steps(opened: BoolArray) -> FloatArray:
+    """(n, d): a step of each value that is open."""
+    at = np.flatnonzero(opened)
+    found = np.zeros((opened.size, at.size))
+    found[at, np.arange(at.size)] = 1.0
+    return found
 
 
 def _u_of_curve(curve: Curve) -> FloatArray:
