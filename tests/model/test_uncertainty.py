@@ -2,6 +2,7 @@
 
 import json
 import re
+import tracemalloc
 from dataclasses import replace
 from pathlib import Path
 
@@ -160,6 +161,26 @@ def test_own_uncertainties_count_as_independent(model: MachineModel) -> None:
     covariance = own_uncertainty(model.machine, errors)
     u = tool_uncertainty(model, covariance, np.array([[270.0], [0.0], [0.0]]), np.zeros((3, 1)), datum=None).u
     np.testing.assert_allclose(u[:, 0], [1.5e-3, 270.0 * 2e-6, 0.0], rtol=1e-6, atol=1e-12)
+
+
+def test_tables_of_a_thousand_values_cost_as_much_as_they_hold(model: MachineModel) -> None:
+    travel = np.linspace(0.0, 540.0, 1001)
+    table = TableCurve(tuple(travel), tuple(1e-5 * travel), u=(1e-4,) * travel.size)
+    errors = ErrorValues(machine="dmu60p", parameters={}, motion_errors=dict.fromkeys(model.components, table))
+    tracemalloc.start()
+    try:
+        tool_uncertainty(model, own_uncertainty(model.machine, errors), AT, np.zeros((3, 1)), datum=None)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < 50e6, "a matrix of all values times all has 2.6e9 bytes"
+
+
+@pytest.mark.parametrize("nodes", [(20.0,), (0.0, 500.0), (-3.0, 0.0, 200.0, 500.0)])
+def test_hat_functions_are_interpolation(nodes: tuple[float, ...]) -> None:
+    positions = np.concatenate([np.linspace(-50.0, 600.0, 40), nodes])
+    expected = [np.interp(positions, nodes, row) for row in np.eye(len(nodes))]
+    np.testing.assert_allclose(HatBasis(nodes)(positions), expected, rtol=0.0, atol=1e-15)
 
 
 def test_a_value_without_u_among_others_is_open(model: MachineModel) -> None:

@@ -46,8 +46,9 @@ def noise_of_draws(
             whiten = Whitening(unit, every)
             variance = float(np.mean(whiten(everything) ** 2))
             sigma = max(float(np.sqrt(variance)), SMALLEST)
-            found[shape] = -every.size * np.log(sigma) - whiten.log_root, Noise(
-                sigma * unit.white, sigma * unit.slow, lasts
+            found[shape] = (
+                -every.size * np.log(sigma) - whiten.log_root,
+                Noise(sigma * unit.white, sigma * unit.slow, lasts),
             )
         return found[shape][0]
 

@@ -90,7 +90,14 @@ class HatBasis:
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """(n, m): the basis functions at positions (m,)."""
-        return np.array([np.interp(positions, self.positions, row) for row in np.eye(self.count)])
+        nodes = np.array(self.positions)
+        if nodes.size == 1:
+            return np.ones((1, positions.size))
+        below = np.clip(np.searchsorted(nodes, positions, side="right") - 1, 0, nodes.size - 2)
+        share = np.clip((positions - nodes[below]) / (nodes[below + 1] - nodes[below]), 0.0, 1.0)
+        found, at = np.zeros((nodes.size, positions.size)), np.arange(positions.size)
+        found[below, at], found[below + 1, at] = 1.0 - share, share
+        return found
 
     @property
     def count(self) -> int:
