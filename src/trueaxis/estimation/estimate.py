@@ -218,8 +218,11 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
 def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, Misread], list[Contradiction]]:
     """Runs that were misread, and those that contradict the others whatever is wrong with them.
 
-    Where residuals are far from a noise that is stated, by one that is estimated.
+    Where residuals are far from a noise that is stated, by one that is estimated. Changes show neither: what was given
+    is no part of them, so a reversed sign is not undone by reversing it.
     """
+    if setting.options.changes:
+        return {}, []
     state, noise, options = fitted.state, setting.options.noise, setting.options
     kept = dict(zip((one.rows.index for one in state.runs), state.kept, strict=False))
 
@@ -241,8 +244,6 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         fitted = refit(setting.runs)
         posterior = fitted.posterior()
     misread = misread_runs(fitted, posterior, continued, refit)
-    if options.changes:
-        return misread, []
     sure = {index: one for index, one in misread.items() if one.sure}
     if not sure:
         return misread, contradictions(fitted, posterior, continued, SURE)
