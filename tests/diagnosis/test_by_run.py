@@ -8,7 +8,7 @@ import pytest
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, Field, field
 from trueaxis.diagnosis.by_run import ByRun, by_run
-from trueaxis.estimation.few import few_of
+from trueaxis.estimation.factors import few_of
 
 
 @cache

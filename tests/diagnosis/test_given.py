@@ -7,8 +7,8 @@ import pytest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, FloatArray, prepared
 from tests.hidden_effects.case import Case
+from trueaxis.diagnosis.base import given_by_chance
 from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.given import given_by_chance
 from trueaxis.diagnosis.null import Null, null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.stale import Changes, stale_values

@@ -8,9 +8,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.diagnosis.prepared import field
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.imperfection import imperfection, imperfections
-from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signature import Fitted, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 

@@ -11,7 +11,7 @@ from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis.audit import ISOLATION, Audit, audit
 from trueaxis.diagnosis.base import base_of
-from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.next_runs import Ahead, is_of_use, next_runs, separating_run
 from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.procedure import diagnose

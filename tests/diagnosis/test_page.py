@@ -19,7 +19,7 @@ from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnosis.base import DEGREE
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.estimation import outliers
-from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 from trueaxis.estimation.instruments import CLASSES
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.model import load_model

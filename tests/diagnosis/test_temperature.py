@@ -8,7 +8,7 @@ import pytest
 
 from tests.diagnosis.prepared import SMALL, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.diagnosis.rows import smoothed
 from trueaxis.measurement.data import MeasuredData
 
 

@@ -5,10 +5,10 @@ import pytest
 from scipy.stats import norm
 
 from tests.diagnosis.prepared import SIGMA, field
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import Stale
 from trueaxis.diagnosis.search import search
+from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.diagnosis.verdict import explained_share, names_stand, verdict_of

@@ -22,11 +22,11 @@ from trueaxis.estimation.evidence import (
     likelier,
     posterior_at,
 )
+from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.triangle import triangle_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.bases import travel_basis
 

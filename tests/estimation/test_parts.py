@@ -7,14 +7,14 @@ from tests.estimation.test_estimate import SMALL, estimated
 from tests.estimation.test_evidence import Problem
 from tests.worlds.estimates import World, world
 from trueaxis.estimation.evidence import averaged, posterior_at
+from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.gauge import covariance_of, levelling
 from trueaxis.estimation.judgement import determined_by, judged_component, judged_location
 from trueaxis.estimation.layout import Layout
-from trueaxis.estimation.parts import parted_root
+from trueaxis.estimation.posterior import parted_root
 from trueaxis.estimation.reduce import Reduced
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.triangle import triangle_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.uncertainty import home_of, tool_uncertainty
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trueaxis.estimation.triangle import inverse, triangle_of, with_rows, with_triangle
+from trueaxis.estimation.factors import inverse, triangle_of, with_rows, with_triangle
 from trueaxis.measurement.machine import FloatArray
 
 SEEDS = st.integers(0, 2**32 - 1)

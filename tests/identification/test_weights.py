@@ -11,8 +11,7 @@ from tests.generator.dmu60p import PARAMETERS
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identification.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs, with_estimation
 from tests.identification.test_estimated import KNOWN, in_powers
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification
 from trueaxis.identification.weighting import NoiseModel, weighting

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.of_plan import Limit, Observability
 from trueaxis.diagnosis.projection import Projection, orthonormal
 from trueaxis.diagnosis.result import FloatArray, IntArray
@@ -18,8 +18,8 @@ from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 from trueaxis.estimation.effects.unknowns import unit_in
-from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
 
 DETECTION, ISOLATION = 27.0, 21.0
 CONFOUNDED = 0.95

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import block_diag
+from scipy.sparse import csr_array, hstack
 
 from trueaxis.diagnosis.by_run import ByRun, by_run
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
@@ -23,8 +24,10 @@ from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.model.bases import LegendreBasis
+from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import home_of, open_steps
 
 DEGREE = 12
 PLACES = 201  # over the travel, at which a curve is looked at
@@ -133,3 +136,24 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
         runs=tuple(runs),
     )
+
+
+def given_by_chance(model: MachineModel, base: Base, covariance: Covariance) -> FloatArray:
+    """(of_machine, k): independent deviations of the values given from true ones, each one standard deviation, in units
+    of what is expected. What nothing determined may be as large as [prior] has it.
+    """
+    opened = open_steps(model.machine, covariance)
+    root = csr_array((covariance.count, 0)) if covariance.root is None else csr_array(covariance.root)
+    steps = csr_array(hstack([root, csr_array(opened)]))  # one step for each value of a table
+    names, found = np.array(base.components), np.zeros((base.of_machine, steps.shape[1]))
+    home = home_of(model)
+    for name, basis in zip(covariance.components, covariance.bases, strict=True):
+        if name in base.bases:
+            at, own = np.linspace(*model.travel[name.axis], PLACES), base.bases[name]
+            curves = (basis(at) - basis(home[model.axes.index(name.axis)])).T @ steps[covariance.rows_of(name)]
+            found[names == name] = np.linalg.lstsq(own(at).T, curves, rcond=None)[0]
+    start = sum(basis.count for basis in covariance.bases)
+    for row, location in enumerate(covariance.locations, start):
+        found[names == location] = steps[[row]].toarray()
+    found /= (base.sizes * base.expected)[: base.of_machine, np.newaxis]
+    return np.asarray(np.linalg.qr(found.T, mode="r")).T

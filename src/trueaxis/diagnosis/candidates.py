@@ -1,11 +1,19 @@
-"""Every cause that is searched for: the kinds of the library and of the spec at every place where they may act."""
+"""Every cause that is searched for, and where.
 
-from collections.abc import Iterator
+The kinds of the library and of the spec at every place where they may act, and the grids of the parameters that their
+terms are not linear in (`estimation.effects.grids`).
+"""
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
 
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import allows, reads
 from trueaxis.error_name import ROTATIONS
+from trueaxis.estimation.effects.grids import OF_DIAGNOSIS, Fineness, covered_by, moments
+from trueaxis.estimation.effects.grids import grid_of as grid_of_covered
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.model.effect_values import identity
 from trueaxis.model.model import MachineModel
@@ -71,3 +79,24 @@ def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:
                 run = rows.runs[of_setup[0]]
                 if end is None or getattr(run, end).on in ("tool", "workpiece"):
                     yield Effect(kind=kind.name, runs=ids, end=end)
+
+
+def grid_of(
+    kind: Kind, effect: Effect, rows: Rows, fineness: Fineness = OF_DIAGNOSIS
+) -> tuple[Mapping[str, float], ...]:
+    """The points of the grid: values of the parameters with the role `grid`; one empty point where there is none.
+
+    NaN is the moment of a jump where a run is too short for one, or where its times are not known: no search then.
+    """
+    if not any(one.role == "grid" for one in kind.parameters):
+        return ({},)
+    if not effect.runs:
+        return grid_of_covered(kind, covered_by(effect, rows.axes, rows.positions, rows.context), fineness)
+    mine = np.isin(rows.run, [index for index, run in enumerate(rows.runs) if run.id in effect.runs])
+    covered = covered_by(effect, rows.axes, rows.positions[:, mine], rows.context.of(mine))
+    points = grid_of_covered(kind, covered, fineness)
+    found = moments(covered.time[np.isfinite(covered.time)], fineness)
+    jumps = {one.name for one in kind.parameters if one.grid == "moment"}
+    if found or not jumps:
+        return points
+    return tuple({name: np.nan if name in jumps else value for name, value in point.items()} for point in points)

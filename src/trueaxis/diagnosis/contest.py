@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.imperfection import imperfections
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection, orthonormal
@@ -18,6 +17,7 @@ from trueaxis.diagnosis.result import FloatArray, Stale
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
 from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, best_of, scan_all, search_of
 from trueaxis.diagnosis.separation import APART
+from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.signatures import directions_of
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.verdict import size_is_significant

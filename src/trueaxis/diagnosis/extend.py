@@ -12,7 +12,7 @@ from numpy.polynomial import chebyshev
 
 from trueaxis.diagnosis.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
-from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.diagnosis.rows import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES

@@ -13,10 +13,10 @@ from scipy.linalg import solve_triangular
 
 from trueaxis.diagnosis.base import Base
 from trueaxis.diagnosis.by_run import ByRun
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.null import less_own
 from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, GainOfAngles, IntArray, Stage
 from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.measurement.readings import angle_rows
 

@@ -13,11 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.projection import Projection, orthonormal
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signature import Memory, Readings
+from trueaxis.diagnosis.signature import Fitted, Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.placement import SINCE_REVERSAL, VARIABLES

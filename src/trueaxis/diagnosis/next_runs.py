@@ -7,7 +7,7 @@ from itertools import islice
 import numpy as np
 
 from trueaxis.diagnosis.audit import Audit, size_of
-from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.noise import REPEATS, STATED
 from trueaxis.diagnosis.of_plan import Limit, NextRun, Placed, Separating, Told
 from trueaxis.diagnosis.prospect import Outlook, Prospect, outlooks_of

@@ -15,7 +15,7 @@ from scipy.optimize import minimize
 from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
 from trueaxis.diagnosis.noise_precision import Precision, factor_of, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.estimation.few import few_of
+from trueaxis.estimation.factors import few_of
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
 # the base; all but the time constant, in typical steps, as shares of a first guess

@@ -14,7 +14,7 @@ from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import runs_among
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.whiten import Whitening
-from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 from trueaxis.estimation.noise import BLOCK
 
 ENTRIES = 1 << 17  # of a run's columns at a time: 1 MB, which stay in the processor's cache

@@ -6,25 +6,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.diagnosis.audit import audit
+from trueaxis.diagnosis.base import given_by_chance
 from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.extend import Extend, identified_anew
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
-from trueaxis.diagnosis.given import given_by_chance
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
 from trueaxis.diagnosis.null import Null, again, null_of, what_is_free
 from trueaxis.diagnosis.prospect import prospect_of
-from trueaxis.diagnosis.refit import refit
+from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnosis.rivals import with_best_periods
-from trueaxis.diagnosis.rows import Rows, rows_of
+from trueaxis.diagnosis.rows import Rows, rows_of, smoothed
 from trueaxis.diagnosis.search import Each, Found, Ground, Search, likeliest, search
-from trueaxis.diagnosis.signature import Readings, readings_of
+from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.stale import Changes
-from trueaxis.diagnosis.standing import refitted_columns, standing_effects
-from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.diagnosis.write_up import Outcome, diagnosis_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings

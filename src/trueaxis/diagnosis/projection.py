@@ -11,6 +11,10 @@ from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.rows import as_slice
 from trueaxis.diagnosis.whiten import RANK
 
+LEAST = 1e-4  # share of a column's length that must be left of it, for it to explain anything
+TOLD = 1e-6  # of the largest eigenvalue of products of columns, below which rounding is all there is
+SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
+
 
 def _nothing() -> FloatArray:
     return np.zeros((0, 0))
@@ -125,11 +129,6 @@ class Projection:
         inside = self.soft.T @ columns
         scaled = self.shrink * inside if inside.ndim == 1 else self.shrink[:, np.newaxis] * inside
         return np.asarray(columns - self.soft @ scaled)
-
-
-LEAST = 1e-4  # share of a column's length that must be left of it, for it to explain anything
-TOLD = 1e-6  # of the largest eigenvalue of products of columns, below which rounding is all there is
-SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 
 
 def decomposed(matrix: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

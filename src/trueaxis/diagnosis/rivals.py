@@ -10,8 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnosis.fitted import Fitted
-from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.prepared import prepared
 from trueaxis.diagnosis.refit import refit, start_of
@@ -31,7 +30,7 @@ from trueaxis.diagnosis.search import (
     with_tries,
     zoomed,
 )
-from trueaxis.diagnosis.signature import Signature
+from trueaxis.diagnosis.signature import Fitted, Signature
 from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Kind
 from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS, ZOOMS, Point, finer

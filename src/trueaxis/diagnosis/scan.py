@@ -12,7 +12,7 @@ from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
-from trueaxis.estimation.effects.variable_projection import explained
+from trueaxis.estimation.effects.amplitudes import explained
 from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 
 # Share of a peak that a grid holds at least: of a period, (sin(pi/4) / (pi/4))^2 half a step of frequency beside it. A

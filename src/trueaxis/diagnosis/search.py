@@ -7,14 +7,13 @@ from typing import Protocol, TypeVar
 
 import numpy as np
 
-from trueaxis.diagnosis.fitted import Fitted
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.freedom import Freedom
-from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.prepared import Inner, Prepared, inner_of, prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.scan import Residual, Scanned, residual_of, scanned
-from trueaxis.diagnosis.signature import Readings, Signature
+from trueaxis.diagnosis.signature import Fitted, Readings, Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect

@@ -10,7 +10,7 @@ from trueaxis.diagnosis.menu import FurtherRun
 from trueaxis.diagnosis.prospect import TIMES, Outlook, Prospect
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.effects.kind import Kind
-from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 
 APART = 1.0 - CONFOUNDED  # of 1 - R^2, from which two candidates no longer pass for one
 WORTH = 2.0  # times as much information about the difference as now, for a run to be proposed

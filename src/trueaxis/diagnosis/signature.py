@@ -20,6 +20,20 @@ from trueaxis.model.model import MachineModel
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Fitted:
+    """One cause with its parameters in the order of its kind; u: NaN where the readings do not tell.
+
+    signal: (n,), mm, what it does to the readings.
+    """
+
+    effect: Effect
+    kind: Kind
+    values: FloatArray
+    u: FloatArray
+    signal: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Signature:
     """Signature of a candidate at all points of its grid: its term times the lever by which readings sense it.
 

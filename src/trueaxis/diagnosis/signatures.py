@@ -8,10 +8,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from trueaxis.diagnosis.fitted import Fitted
-from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.result import FloatArray, IntArray
-from trueaxis.diagnosis.signature import Readings, Signature, Terms
+from trueaxis.diagnosis.signature import Fitted, Readings, Signature, Terms
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns
 from trueaxis.error_name import DISPLACEMENTS

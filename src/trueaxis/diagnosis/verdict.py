@@ -5,11 +5,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.special import chdtri
 
-from trueaxis.diagnosis.fitted import Fitted
 from trueaxis.diagnosis.instruments import Off
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import Stale, Verdict
 from trueaxis.diagnosis.search import Ground, Search, cause_columns
+from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.placement import SINCE_REVERSAL

@@ -1,32 +1,45 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 
 from trueaxis.diagnosis.absences import absences
-from trueaxis.diagnosis.audit import Audit
-from trueaxis.diagnosis.fitted import Fitted
+from trueaxis.diagnosis.audit import DETECTION, Audit
 from trueaxis.diagnosis.gain import Left, fit, predicted
 from trueaxis.diagnosis.instruments import Off
 from trueaxis.diagnosis.judgement import Judged
-from trueaxis.diagnosis.linearisation import second_order_of
-from trueaxis.diagnosis.measured import measured_with
 from trueaxis.diagnosis.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.prospect import Prospect
-from trueaxis.diagnosis.result import BoolArray, Cause, Circle, Diagnosis, Estimate, Evidence, Gain, Residuals, Stage
+from trueaxis.diagnosis.result import (
+    BoolArray,
+    Cause,
+    Circle,
+    Diagnosis,
+    Estimate,
+    Evidence,
+    FloatArray,
+    Gain,
+    MeasuredWith,
+    Residuals,
+    SecondOrder,
+    Stage,
+)
+from trueaxis.diagnosis.rows import Rows, plane_of
 from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import Found, Ground, Rival
-from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signature import Fitted, Readings
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.evaluation.iso230_4.circular_test import circularity
+from trueaxis.measurement.reading_geometry import column, sensed_points
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -191,3 +204,59 @@ def _residuals(outcome: Outcome) -> Residuals:
         extended=left.extended,
         whitened=ground_left,
     )
+
+
+def second_order_of(ground: Ground) -> SecondOrder:
+    """How large the terms are, and whether these readings could show them at all."""
+    terms = second_order(ground.readings)
+    left = ground.base.rest(ground.whitening(terms))
+    return SecondOrder(float(np.abs(terms).max(initial=0.0)), float(left @ left) > DETECTION)
+
+
+def second_order(readings: Readings) -> FloatArray:
+    """(n,), mm: exact less first-order deviations of the model as given, along what each instrument senses."""
+    model, rows = readings.model, readings.rows
+    errors = model.in_context(readings.context).component_errors(rows.positions)
+    found = np.zeros(rows.size)
+    for index in rows.present:
+        run, mine = rows.runs[index], rows.of_run(index)
+        positions = np.ascontiguousarray(rows.positions[:, mine])
+        along = np.zeros(positions.shape[1])
+        for one in sensed_points(model, run, positions):
+            inputs = (positions, np.ascontiguousarray(errors[:, mine]), model.parameter_values, column(one.point))
+            exact = model.kernels[f"{one.view}_deviation"](*inputs)
+            dropped = exact - model.kernels[f"{one.view}_deviation_first_order"](*inputs)
+            along += np.einsum("in,in->n", one.direction, dropped)
+        found[mine] = along if run.instrument == "ballbar" else along - along[0]
+    return cast(FloatArray, found)
+
+
+def measured_with(rows: Rows) -> tuple[MeasuredWith, ...]:
+    """One of each device, in the order of the runs; runs that do not name one are of one device."""
+    members: dict[tuple[str, str], list[int]] = {}
+    for index in rows.present:
+        run = rows.runs[index]
+        members.setdefault((run.instrument, run.device.id if run.device else ""), []).append(index)
+    return tuple(_of_device(rows, indices) for indices in members.values())
+
+
+def _of_device(rows: Rows, indices: Sequence[int]) -> MeasuredWith:
+    runs = [rows.runs[index] for index in indices]
+    mine = np.isin(rows.run, indices)
+    device = runs[0].device
+    return MeasuredWith(
+        instrument=runs[0].instrument,
+        device=device.id if device else "",
+        serial=device.serial if device else "",
+        sessions=tuple(dict.fromkeys(run.session for run in runs if run.session)),
+        runs=len(runs),
+        readings=int(mine.sum()),
+        motions=tuple(dict.fromkeys(plane_of(rows, rows.run == index) for index in indices)),
+        time_s=_range(rows.time, mine),
+        temperature_c=_range(rows.temperature, mine),
+    )
+
+
+def _range(values: FloatArray | None, mine: np.ndarray) -> tuple[float, float] | None:
+    known = np.zeros(0) if values is None else values[mine & np.isfinite(values)]
+    return (float(known.min()), float(known.max())) if known.size else None

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.estimation.beside import beside
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
@@ -19,6 +18,7 @@ from trueaxis.estimation.least_norm import least_norm
 from trueaxis.estimation.left_out import Contradiction, contradictions
 from trueaxis.estimation.misread import SURE, Misread, mean_square, misread_runs, unexplained
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.own_part import beside
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import MeasuredRun, measured_runs

@@ -13,11 +13,10 @@ import numpy as np
 from scipy.linalg import hadamard, solve_triangular
 
 from trueaxis.estimation.curve_prior import SHAPE
-from trueaxis.estimation.parts import parted_root
-from trueaxis.estimation.posterior import OwnPosterior, Posterior
+from trueaxis.estimation.factors import inverse, with_rows, with_triangle
+from trueaxis.estimation.posterior import OwnPosterior, Posterior, parted_root
 from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.triangle import inverse, with_rows, with_triangle
 from trueaxis.measurement.machine import FloatArray
 
 MOST_STEPS = 60

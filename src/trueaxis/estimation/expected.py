@@ -17,8 +17,7 @@ from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.own_part import own_part
-from trueaxis.estimation.parts import parted_root
-from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.posterior import Posterior, parted_root
 from trueaxis.estimation.reduce import reduced
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import measured_runs

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.estimation.effects.signature import RunRows as EffectRows
-from trueaxis.estimation.few import common, few_of
+from trueaxis.estimation.factors import common, few_of
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout

@@ -5,11 +5,14 @@ their sizes, everything that is asked of a run beside them is a product with V^-
 columns of the run; the derivative by the unknowns that runs share is made and used piece by piece.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.effects.search import Others, WhitenedRun
 from trueaxis.estimation.instruments import own_columns
+from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State
 from trueaxis.measurement.machine import FloatArray
@@ -57,3 +60,33 @@ def by_shared(state: State, place: int, columns: FloatArray) -> FloatArray:
         found += whiten(one.by_others).T @ columns[part]
         start = part.stop
     return found
+
+
+def beside(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> Others:
+    """Every run, one after another; x: the sizes of the posterior.
+
+    With V the covariance of the readings by noise and everything that is estimated, products with V^-1 are those of
+    whitened columns less what the run's own unknowns take and what the shared ones take; V^-1 times the readings is
+    the whitened residual.
+    """
+
+    def runs() -> Iterator[WhitenedRun]:
+        for place, one in enumerate(state.runs):
+            part = own_part_of(state, sizes, x, place)
+
+            def whiten(columns: FloatArray, place: int = place) -> FloatArray:
+                return state.whitening(place, state.runs[place].kept())(columns)
+
+            def shared(columns: FloatArray, place: int = place) -> FloatArray:
+                return np.asarray(posterior.spread.T @ by_shared(state, place, columns))
+
+            yield WhitenedRun(
+                index=one.rows.index,
+                rows=one.kept().at,
+                whiten=whiten,
+                rest=part.rest,
+                shared=shared,
+                residual=whiten(state.residual[place][one.good][:, np.newaxis])[:, 0],
+            )
+
+    return runs

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.factors import triangle_of, with_rows
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Whitening
-from trueaxis.estimation.triangle import triangle_of, with_rows
 from trueaxis.measurement.machine import FloatArray
 
 

@@ -6,8 +6,7 @@ import numpy as np
 
 from trueaxis.estimation.jacobian import RunRows
 from trueaxis.estimation.machine import IntArray
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import places
+from trueaxis.estimation.observations import Observations, places
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 

@@ -9,8 +9,7 @@ from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.estimate import USUAL, EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.observations import Observations, copied_runs
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import ORIGIN, tool_summary

@@ -12,8 +12,7 @@ from scipy.special import chdtri
 
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, units
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
 from trueaxis.measurement.instrument_kinds import INSTRUMENTS, SmallUnit, small_unit

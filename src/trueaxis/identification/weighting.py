@@ -7,8 +7,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.machine import IntArray
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS
 from trueaxis.measurement.machine import FloatArray

@@ -14,8 +14,7 @@ from trueaxis.estimation.effects.planned import planned_effects
 from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.estimation.expected import expected
 from trueaxis.estimation.judgement import TENTH, Judged, judged_component, judged_location
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_point, tool_summary
 from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import DECIMALS
+from trueaxis.estimation.observations import DECIMALS, Observations
 from trueaxis.estimation.set_up import ball_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.context import context_of

@@ -11,11 +11,10 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns
-from trueaxis.estimation.effects.amplitudes import amplitude_names, basis_vectors, searched_names
+from trueaxis.estimation.effects.amplitudes import amplitude_names, basis_vectors, explained, searched_names
 from trueaxis.estimation.effects.grids import OF_FIT, ZOOMS, Point, covered_by, finer, grid_of
 from trueaxis.estimation.effects.signature import Ground, of_term, reaches, rows_of
 from trueaxis.estimation.effects.unknowns import EffectUnknown
-from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.machine import IntArray
 from trueaxis.measurement.machine import FloatArray
 

@@ -8,8 +8,7 @@ from scipy.sparse import csr_array, vstack
 from trueaxis.estimation.effects.faults import check_columns
 from trueaxis.estimation.effects.signature import added_by, all_rows, ground_of
 from trueaxis.estimation.machine import IdentifiedMachine
-from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.observations import Observations, copied_runs
 from trueaxis.identification.fit_quality import (
     FitQuality,
     NotConvergedError,
