@@ -10,7 +10,7 @@ import pytest
 from tests.evaluation.iso230_2.builders import dat_text, made_up
 from trueaxis.cli.main import main
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.reporting.pictures.standard_tests import _figure, positioning_plot
+from trueaxis.reporting.pictures.standard_tests import _positioning_figure, positioning_plot
 
 TEST = made_up(6, 5)
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -122,7 +122,7 @@ def test_a_name_with_dollar_signs_is_drawn_as_it_is(data: Path) -> None:
 
 def test_the_picture_shows_means_and_limits_in_micrometres() -> None:
     found = evaluate(TEST)
-    figure = _figure(found, "axis")
+    figure = _positioning_figure(found, "axis")
     lines = {str(line.get_label()): np.asarray(line.get_xydata()) for line in figure.axes[0].get_lines()}
     for name, side in (("positive", found.positive), ("negative", found.negative)):
         drawn = next(points for label, points in lines.items() if label.startswith(name))
