@@ -53,19 +53,6 @@ PROTOCOLS = ("tcp", "tls")
 _RIGHT = "an address such as tcp://192.168.0.10:8786, as the scheduler prints it when it starts"
 
 
-async def _identity(address: str) -> object:
-    """What a scheduler says of itself. A client would wait for a service that never answers without end."""
-    from distributed.core import connect  # noqa: PLC0415  as above
-    from distributed.security import Security  # noqa: PLC0415
-
-    comm = await connect(address, timeout=SECONDS, **Security().get_connection_args("client"))
-    try:
-        await comm.write({"op": "identity", "reply": True})
-        return await comm.read()
-    finally:
-        comm.abort()
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Workers:
     """Who does the work. count: processes on this computer, None: one for each of its cores; memory: bytes that each
@@ -157,6 +144,19 @@ def _running_client(address: str) -> Iterator[Any]:
             except TimeoutError:
                 raise _fault(address, "has no workers", f"start some: dask worker {address}") from None
             yield client
+
+
+async def _identity(address: str) -> object:
+    """What a scheduler says of itself. A client would wait for a service that never answers without end."""
+    from distributed.core import connect  # noqa: PLC0415  as above
+    from distributed.security import Security  # noqa: PLC0415
+
+    comm = await connect(address, timeout=SECONDS, **Security().get_connection_args("client"))
+    try:
+        await comm.write({"op": "identity", "reply": True})
+        return await comm.read()
+    finally:
+        comm.abort()
 
 
 def _host_and_port(address: str) -> tuple[str, int]:
