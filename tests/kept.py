@@ -15,7 +15,8 @@ import sympy as sp
 from trueaxis.cli.main import main
 
 ROOT = Path(__file__).resolve().parent.parent
-DERIVING = ("machine", "derivation", "codegen", "effects", "io")
+# "jobs" and "cli": `derived` runs the command
+DERIVING = ("machine", "derivation", "codegen", "effects", "io", "jobs", "cli")
 KEPT = Path(tempfile.gettempdir()) / f"trueaxis-tests-{getattr(os, 'getuid', int)()}"
 
 

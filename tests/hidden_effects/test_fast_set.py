@@ -5,13 +5,13 @@ The limits leave room for what so few trials cannot tell; the figures themselves
 
 import os
 from collections.abc import Iterator, Sequence
-from itertools import islice, takewhile
+from itertools import islice
 
 import pytest
 
 from tests.hidden_effects.campaign import bounds, run
 from tests.hidden_effects.power.tally import Result
-from tests.hidden_effects.power.trials import SCENARIOS, Trial
+from tests.hidden_effects.power.trials import SCENARIOS, Trial, single_of
 
 WORKERS = min(2, os.cpu_count() or 1)
 pytestmark = pytest.mark.slow
@@ -25,7 +25,7 @@ def trials_of(scenario: str, count: int = 1) -> Iterator[Trial]:
 def of_one_machine() -> Iterator[Trial]:
     """Every kind ten times as plain as it need be, and two that are too faint."""
     faint = 0
-    for trial in takewhile(lambda one: one.case.machine == "table_mill", trials_of("single")):
+    for trial in single_of("table_mill", 1, bounds, (0.3, 10.0)):
         faint += trial.row.endswith(", 0.3")
         if trial.row.endswith(", 10") or (trial.row.endswith(", 0.3") and faint <= 2):
             yield trial

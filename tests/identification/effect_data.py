@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -108,30 +109,44 @@ def measured(
 ) -> Observations:
     """Readings with terms on components and on readings, targets moved by run, noise where a seed is given."""
     runs, rows = plan(even=even)
-    truth, values = cubic_errors(), np.zeros(rows.reading.size)
-    assert rows.time is not None
-    assert rows.temperature is not None
+    geometry = _of_geometry(components, moved or {}, even) if components or moved else _of_geometry_alone(even)
+    values = geometry + [sum(term(row) for term in readings) for row in _rows(even)]
+    if seed is not None:
+        values = values + np.random.default_rng(seed).normal(0.0, SIGMA, values.size)
+    return observations("readings.csv", runs, change(replace(rows, reading=values)))
+
+
+@cache
+def _of_geometry_alone(even: bool) -> FloatArray:
+    """(n,), mm: what most sets have in common."""
+    return _of_geometry(None, {}, even)
+
+
+def _of_geometry(
+    components: Mapping[str, Term] | None, moved: Mapping[str, tuple[float, float, float]], even: bool
+) -> FloatArray:
+    """(n,), mm, of the cubic errors and the terms on components."""
+    truth = cubic_errors()
+    found, first = [], {}
+    for row in _rows(even):
+        start = first.setdefault(row.run.id, row)
+        found.append(_reading(row.run, row, truth, components or {}, start.time, start.temperature, moved))
+    return np.array(found)
+
+
+@cache
+def _rows(even: bool) -> tuple[Row, ...]:
+    """Of the plan, run by run."""
+    runs, rows = plan(even=even)
     assert rows.feed is not None
+    found = []
     for index, run in enumerate(runs):
         mine = np.flatnonzero(rows.run == index)
         velocity = (
             _velocity(rows.positions[:, mine], float(rows.feed[mine[0]])) if run.length else np.zeros((3, mine.size))
         )
-        for place, n in enumerate(mine):
-            row = _row(run, rows, int(n), velocity[:, place])
-            values[n] = _reading(
-                run,
-                row,
-                truth,
-                components or {},
-                float(rows.time[mine[0]]),
-                float(rows.temperature[mine[0]]),
-                moved or {},
-            )
-            values[n] += sum(term(row) for term in readings)
-    if seed is not None:
-        values = values + np.random.default_rng(seed).normal(0.0, SIGMA, values.size)
-    return observations("readings.csv", runs, change(replace(rows, reading=values)))
+        found += [_row(run, rows, int(n), velocity[:, place]) for place, n in enumerate(mine)]
+    return tuple(found)
 
 
 def _row(run: Run, rows: Readings, n: int, velocity: FloatArray) -> Row:

@@ -62,9 +62,13 @@ def prior_basis(span: Span) -> Basis:
     """
     weights = np.arange(1.0, DEGREE + 1) ** -ROUGHNESS
 
+    def polynomials(at: Array) -> Array:
+        return np.asarray(legendre.legvander(span.scaled(at), DEGREE)[:, 1:], float)
+
+    at_home = polynomials(np.array([span.home]))
+
     def raw(at: Array) -> Array:
-        here, there = (legendre.legvander(span.scaled(x), DEGREE)[:, 1:] for x in (at, np.array([span.home])))
-        return np.asarray(weights * (here - there), float)
+        return np.asarray(weights * (polynomials(at) - at_home), float)
 
     size = np.sqrt(np.mean(np.sum(raw(_grid(span)) ** 2, axis=1)))
     return lambda at: raw(at) / size

@@ -31,9 +31,9 @@ UNIT = 1e-4  # mm or rad, of the signature
 def matched_size(case: Case, effect: Hidden, times: float) -> float:
     """The positive size at which the effect's signature has the norm of `times` a limit; infinite where it has none."""
     machine = MACHINES[case.machine]
-    plan, basis = _base(case.machine, case.design)
+    plan, without, basis = _base(case.machine, case.design)
     with_it = clean_readings(machine, plan, Truth({}, {}, (_sized(effect, UNIT),)))
-    signature = (with_it - clean_readings(machine, plan, Truth({}))) / (case.sigma_um * 1e-3)
+    signature = (with_it - without) / (case.sigma_um * 1e-3)
     rest = signature - basis @ (basis.T @ signature)
     norm = float(np.linalg.norm(rest))
     return times * float(AT_LIMIT) * UNIT / norm if norm > 1e-6 * np.linalg.norm(signature) else np.inf
@@ -44,8 +44,8 @@ def _sized(effect: Hidden, size: float) -> Hidden:
 
 
 @cache
-def _base(machine: str, design: Design) -> tuple[Plan, Array]:
-    """The plan of seed 0 and an orthonormal basis of the base, (n, r)."""
+def _base(machine: str, design: Design) -> tuple[Plan, Array, Array]:
+    """The plan of seed 0, its readings (n,) without any effect, mm, and an orthonormal basis of the base, (n, r)."""
     made = MACHINES[machine]
     plan = plan_runs(made, design, np.random.default_rng([0, 1]))
     columns = [*_components(made, plan), *_of_runs(plan), *bar_directions(made, plan)]
@@ -54,7 +54,7 @@ def _base(machine: str, design: Design) -> tuple[Plan, Array]:
     matrix = matrix / np.maximum(np.linalg.norm(matrix, axis=0), 1e-300)
     q, r, _ = qr(matrix, mode="economic", pivoting=True)
     rank = int(np.sum(np.abs(np.diag(r)) > 1e-9 * abs(r[0, 0])))
-    return plan, np.asarray(q[:, :rank], float)
+    return plan, clean_readings(made, plan, Truth({})), np.asarray(q[:, :rank], float)
 
 
 def _components(machine: Machine, plan: Plan) -> Sequence[Array]:

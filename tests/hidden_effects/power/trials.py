@@ -68,8 +68,13 @@ def clean(count: int, bounds: Bounds) -> Iterator[Trial]:
 def single(count: int, bounds: Bounds) -> Iterator[Trial]:
     """One effect that the audit calls observable, at multiples of its isolation limit."""
     for machine in ("table_mill", "gantry", "turntable_mill"):
-        setting = Case(1, machine)
-        yield from _scaled("single", setting, _by_kind(bounds(setting), "observable"), _share(count, machine))
+        yield from single_of(machine, count, bounds)
+
+
+def single_of(machine: str, count: int, bounds: Bounds, times: Sequence[float] = TIMES) -> Iterator[Trial]:
+    """Those of one machine, of effects so many times their limits."""
+    setting = Case(1, machine)
+    yield from _scaled("single", setting, _by_kind(bounds(setting), "observable"), _share(count, machine), times)
 
 
 def reduced(count: int, bounds: Bounds) -> Iterator[Trial]:
@@ -180,9 +185,11 @@ SCENARIOS: Mapping[str, Callable[[int, Bounds], Iterator[Trial]]] = {
 }
 
 
-def _scaled(scenario: str, setting: Case, kinds: Mapping[str, Sequence[Bound]], count: int) -> Iterator[Trial]:
+def _scaled(
+    scenario: str, setting: Case, kinds: Mapping[str, Sequence[Bound]], count: int, every: Sequence[float] = TIMES
+) -> Iterator[Trial]:
     for kind, found in kinds.items():
-        for times in TIMES:
+        for times in every:
             possible = [bound for bound in found if _effect(bound, times, 0) is not None]
             for n in range(count if possible else 0):
                 bound = possible[n % len(possible)]
