@@ -17,6 +17,7 @@ LONG = (
     "test_stopping.py",
     "controllers/test_linuxcnc_simulator.py",
     "estimation/test_effects.py",
+    "cli/test_diagnose.py",
     "measurement/test_readings.py",
     "fuzz/test_fuzz.py",
     "jobs/test_fleet.py",
