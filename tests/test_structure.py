@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.conftest import LONG
+from tests.machines import ROOT
 from tests.test_boundaries import modules, package_of, parsed
 
 LONGEST_FILE, LONGEST_FUNCTION, DEEPEST = 300, 60, 4
@@ -102,3 +104,7 @@ def test_what_a_long_record_is(text: str, found: list[str]) -> None:
 def test_how_depth_is_counted() -> None:
     (one,) = functions(ast.parse(DEEP))
     assert depth(one) == 3
+
+
+def test_files_of_tests_that_begin_first_are_there() -> None:
+    assert [name for name in LONG if not (ROOT / "tests" / name).is_file()] == []
