@@ -12,12 +12,12 @@ from tests.machines import ROOT
 # Files that take more than 20 s, the longest first: one that begins last keeps all other workers waiting.
 LONG = (
     "hidden_effects/test_fast_set.py",
+    "cli/test_diagnose.py",
     "diagnosis/test_page.py",
     "diagnosis/test_rivals.py",
     "test_stopping.py",
     "controllers/test_linuxcnc_simulator.py",
     "estimation/test_effects.py",
-    "cli/test_diagnose.py",
     "measurement/test_readings.py",
     "fuzz/test_fuzz.py",
     "jobs/test_fleet.py",

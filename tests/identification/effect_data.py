@@ -127,7 +127,8 @@ def _of_geometry(
 ) -> FloatArray:
     """(n,), mm, of the cubic errors and the terms on components."""
     truth = cubic_errors()
-    found, first = [], {}
+    found: list[float] = []
+    first: dict[str, Row] = {}
     for row in _rows(even):
         start = first.setdefault(row.run.id, row)
         found.append(_reading(row.run, row, truth, components or {}, start.time, start.temperature, moved))
@@ -139,7 +140,7 @@ def _rows(even: bool) -> tuple[Row, ...]:
     """Of the plan, run by run."""
     runs, rows = plan(even=even)
     assert rows.feed is not None
-    found = []
+    found: list[Row] = []
     for index, run in enumerate(runs):
         mine = np.flatnonzero(rows.run == index)
         velocity = (
