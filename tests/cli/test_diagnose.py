@@ -328,10 +328,11 @@ class TestRun:
         assert (out / runs).resolve() == ROOT / "machines" / "dmu60p_runs"
         assert tomllib.loads(text)["effect"] == [{"kind": "backlash", "component": "EXX"}]
 
-    def test_without_error_values_all_are_zero(self, out: Path, tmp_path: Path) -> None:
+    def test_without_error_values_all_are_zero(self, short_plan: Path, tmp_path: Path) -> None:
+        data = measured(short_plan, tmp_path / "data", backlash, seed=11)
         (tmp_path / "zero.json").write_text('{"schema": 1, "machine": "dmu60p"}')
         given = [("none", None), ("zero", tmp_path / "zero.json")]
-        codes = {diagnose(tmp_path / name, out.parent / "data", errors=errors) for name, errors in given}
+        codes = {diagnose(tmp_path / name, data, errors=errors) for name, errors in given}
         assert codes == {0}
         none, zero = ((tmp_path / name / "diagnosis.json").read_bytes() for name, _ in given)
         assert none == zero
