@@ -24,9 +24,14 @@ NUMBERS = st.one_of(
 )
 WORDS = st.tuples(*[st.one_of(st.none(), NUMBERS)] * 3)
 GAPS = st.sampled_from([" ", " ", " ", "", "  ", "\t"])
-PLAIN = st.tuples(WORDS, GAPS).map(
+AXES_ALONE = st.tuples(WORDS, GAPS).map(
     lambda pair: pair[1].join(f"{a}{n}" for a, n in zip("XYZ", pair[0], strict=True) if n is not None)
 )
+LEADS = st.sampled_from(
+    ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 "]
+)
+TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
+PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
 OTHER = st.sampled_from(
     ["G0", "G1", "G91", "G90", "G20", "G21", "G0 X5. Y5. Z5.", "G1 F300", "N7 X1. Y2. F90", "(text)", "", "M6", "M0",
      "G2 X5. Y5. R90.", "G54", "G55", "G93", "G94", "M30", "Y1. X2.", "x3. y4.", "/X1.", "A5.", "X1. (end)", " X3."]

@@ -22,8 +22,8 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
     faults = FaultLog(str(program))
     reader = NcReader(axes, Settings(), faults, Notes())
     with program.open(encoding="latin-1", newline="") as file:
-        lines = ("\n" if MARK in line else line for line in file)
-        moves = MoveTable([item for item in reader.items(lines) if isinstance(item, Move | PlainRun)], len(axes))
+        text = "".join("\n" if MARK in line else line for line in file)
+        moves = MoveTable([item for item in reader.items([text]) if isinstance(item, Move | PlainRun)], len(axes))
     for _, move in moves.singles():
         if move.arc is not None:
             faults.add(move.line, "is an arc", "chords, as compensate writes them")

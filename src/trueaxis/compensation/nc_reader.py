@@ -67,10 +67,10 @@ class NcReader:
         for text in texts:
             place = 0
             while place < len(text):
-                run = runs.read(number + 1, text, place)
+                run = runs.read(number + 1, text)
                 if run is not None:
                     yield run
-                    number, place = number + run.count, place + len(run.text)
+                    number, place = number + run.count, place + run.source.size
                     continue
                 end = text.find("\n", place) + 1 or len(text)
                 line, number, place = text[place:end], number + 1, end

@@ -1,4 +1,4 @@
-"""Runs of blocks that are axis words alone, which make most of a long program: read and written all at once.
+"""Runs of plain blocks, which make most of a long program: read and written all at once.
 
 What a run is, and what it means, is what `plain_move` makes of its blocks one by one: a test holds both against each
 other. A block that differs in anything is left to it, and to the general reader.
@@ -7,7 +7,6 @@ other. A block that differs in anything is left to it, and to the general reader
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,19 +16,19 @@ from trueaxis.compensation.moves import Kind, Move
 from trueaxis.compensation.nc_lexer import LARGEST, NUMBER
 from trueaxis.compensation.nc_plain import goes_on_plainly
 from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.plain_text import plain_text
 from trueaxis.compensation.settings import MM_PER_INCH
 
 FEWEST = 12  # blocks: below, arrays cost more than they save
-_NUMBER_WITH_DOT = r"[-+]?+(?:\d++\.\d*+|\.\d++)"
-_SPACES = bytes.maketrans(b"XYZ", b"   ")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class PlainRun:
-    """Blocks of axis words, each an item like `Move`, whose fields it shares but for these.
+    """Plain blocks, each an item like `Move`, whose fields it shares but for these.
 
     line: of the first block. ends: (n_axes, n), mm and deg. written: (n_axes, n), whether a block has the word.
-    text: of all blocks as in the source.
+    source: the bytes of all blocks. starts: (n + 1,), where they begin in it, and the end of the last. lead, tail:
+    (n,), characters before and after the axis words, without the line end.
     """
 
     line: int
@@ -40,7 +39,10 @@ class PlainRun:
     inch: bool
     gap: str
     eol: str
-    text: str
+    source: NDArray[np.uint8]
+    starts: NDArray[np.int64]
+    lead: NDArray[np.int64]
+    tail: NDArray[np.int64]
     feed: float
     held: tuple[bool, ...]
     shift: tuple[float, ...]
@@ -52,7 +54,7 @@ class PlainRun:
 
     def sources(self) -> list[str]:
         """The text of each block."""
-        return [f"{line}\n" for line in self.text.split("\n")[:-1]]
+        return [f"{line}\n" for line in self.source.tobytes().decode("latin-1").split("\n")[:-1]]
 
     def ways(self, start: Sequence[float] | None = None) -> FloatArray:
         """Length of the feed motions, (n,), mm; start: of the first, whose length is 0 where that is not given."""
@@ -66,29 +68,24 @@ class PlainRun:
         if self.count <= most:
             yield self
             return
-        sources = self.sources()
         for first in range(0, self.count, most):
-            part = slice(first, first + most)
+            part, ends = slice(first, first + most), self.starts[first : first + most + 1]
             yield replace(
                 self, line=self.line + first, ends=self.ends[:, part], written=self.written[:, part],
-                text="".join(sources[part]),
+                source=self.source[ends[0] : ends[-1]], starts=ends - ends[0],
+                lead=self.lead[part], tail=self.tail[part],
             )  # fmt: skip
 
     def move(self, index: int) -> Move:
         """One block."""
+        block = self.source[self.starts[index] : self.starts[index + 1]].tobytes().decode("latin-1")
+        end = len(block) - len(self.eol)
         return Move(
             self.line + index, self.kind, tuple(self.ends[:, index].tolist()),
-            tuple(self.written[:, index].tolist()), self.absolute, self.inch, "", "", self.gap, self.eol,
-            self.sources()[index], feed=self.feed, held=self.held, shift=self.shift,
+            tuple(self.written[:, index].tolist()), self.absolute, self.inch,
+            block[: int(self.lead[index])], block[end - int(self.tail[index]) : end], self.gap, self.eol, block,
+            feed=self.feed, held=self.held, shift=self.shift,
         )  # fmt: skip
-
-
-@cache
-def _pattern(gap: str, eol: str, undotted: bool) -> re.Pattern[str]:
-    """Of as many blocks as there are with this gap between words and this line end."""
-    number, between = NUMBER if undotted else _NUMBER_WITH_DOT, " ++" if gap else ""
-    y, z = (f"(?:{between}{letter}{number})?" for letter in "YZ")
-    return re.compile(rf"(?:(?:X{number}{y}{z}|Y{number}{z}|Z{number}){eol})+")
 
 
 class RunReader:
@@ -97,67 +94,106 @@ class RunReader:
     def __init__(self, state: NcState, undotted_mm: bool) -> None:
         self._state, self._undotted_mm = state, undotted_mm
         self._known = all(axis in state.row for axis in LINEAR)
-        self._looked: tuple[str, int] = ("", 0)  # text, and the place in it up to which no run begins
+        self._text, self._first = "", 0  # the text read last, and the number of its first line
+        self._lines = plain_text("", undotted_mm)
+        self._others = np.zeros(1, dtype=np.int64)  # its lines that are not plain, and its end
+        self._looked = 0  # line of it up to which no run begins
 
-    def read(self, number: int, text: str, place: int) -> PlainRun | None:
-        """The run that begins at a place of the text, in line `number`; None, and nothing changed, if none does."""
-        state = self._state
-        if not self._known or not goes_on_plainly(state, state.motion) or state.in_force != state.motion:
+    def read(self, number: int, text: str) -> PlainRun | None:
+        """The run that begins at line `number`, which is in this text; None, and nothing changed, if none does."""
+        if not self._known or len(text) < FEWEST:
             return None
-        if text is self._looked[0] and place < self._looked[1]:
+        if text is not self._text:
+            self._text, self._first, self._looked = text, number, 0
+            self._lines = plain_text(text, self._undotted_mm)
+            self._others = np.append(np.flatnonzero(~self._lines.plain), self._lines.plain.size)
+        first = number - self._first
+        if first < self._looked or not goes_on_plainly(self._state, self._code(first)):
             return None
-        end = text.find("\n", place)
-        eol = "\r\n" if text[end - 1 : end] == "\r" else "\n"
-        found = _pattern(state.gap, eol, self._undotted_mm).match(text, place)
-        blocks = text.count("\n", place, found.end()) if found else 0
-        if found is None or blocks < FEWEST:
-            self._looked = (text, found.end() if found else end + 1)
-            return None
-        run = self._run(number, found[0], blocks, eol)
+        last = int(self._others[np.searchsorted(self._others, first)])
+        if last - first >= FEWEST:
+            last = self._alike(first, last)
+        run = self._run(number, first, last) if last - first >= FEWEST else None
         if run is None:
-            self._looked = (text, found.end())
-            return None
-        self._take(run)
+            self._looked = max(last, first + 1)
         return run
 
-    def _run(self, number: int, text: str, blocks: int, eol: str) -> PlainRun | None:
-        state = self._state
-        source = text.encode("latin-1")
-        values = np.fromstring(source.translate(_SPACES), sep=" ") * (MM_PER_INCH if state.inch else 1.0)
-        if not (np.abs(values) <= LARGEST).all():
+    def _alike(self, first: int, last: int) -> int:
+        """Up to which of these plain lines all move as the first does."""
+        lines, part = self._lines, slice(first, last)
+        code, feed, spaced = lines.code[part], lines.feed[part], lines.spaced[part]
+        differs = (code >= 0) & (code != self._code(first))
+        differs |= (feed == feed) & (feed != feed[0])  # noqa: PLR0124  # those that have an F
+        differs |= lines.returned[part] != lines.returned[first]
+        differs |= (spaced != (self._gap(first) == " ")) & (spaced | (lines.words[part] > 1))
+        return first + int(np.argmax(differs)) if differs.any() else last
+
+    def _code(self, line: int) -> int | None:
+        """The motion of a line: its own code, else the one in force, if that is in force in what is written too."""
+        if (own := int(self._lines.code[line])) >= 0:
+            return own
+        return self._state.motion if self._state.in_force == self._state.motion else None
+
+    def _gap(self, line: int) -> str:
+        """What is between words from this line on."""
+        if self._lines.spaced[line]:
+            return " "
+        return "" if self._lines.words[line] > 1 else self._state.gap
+
+    def _run(self, number: int, first: int, last: int) -> PlainRun | None:
+        state, lines, motion = self._state, self._lines, self._code(first)
+        scale, of_run = MM_PER_INCH if state.inch else 1.0, slice(*lines.first[[first, last]].tolist())
+        values, feed = lines.value[of_run] * scale, float(lines.feed[first])
+        if not (np.abs(values) <= LARGEST).all() or feed > LARGEST:
             return None
-        signs = np.frombuffer(source, dtype=np.uint8)
-        letters = np.flatnonzero((signs >= ord("X")) & (signs <= ord("Z")))
-        axis = signs[letters] - ord("X")
-        block = np.repeat(np.arange(blocks), 3) if letters.size == 3 * blocks else (
-            np.searchsorted(np.flatnonzero(signs == ord("\n")), letters)
-        )  # fmt: skip
-        row = np.array([state.row[letter] for letter in LINEAR])[axis]
-        written = np.zeros((len(state.axes), blocks), dtype=bool)
-        written[row, block] = True
-        given = np.zeros((len(state.axes), blocks))
-        given[row, block] = values
-        start = np.array([0.0 if value is None else value for value in state.position])[:, np.newaxis]
-        if not state.absolute:
-            ends = np.cumsum(np.concatenate([start, given], axis=1), axis=1)[:, 1:]
-        else:
-            if state.shift:
-                given += np.array(state.shift)[:, np.newaxis]
-            ends = np.concatenate([start, given], axis=1)
-            if not written.all():
-                last = np.maximum.accumulate(np.where(written, np.arange(1, blocks + 1), 0), axis=1)
-                ends = np.take_along_axis(ends, np.concatenate([np.zeros_like(last[:, :1]), last], axis=1), axis=1)
-            ends = np.ascontiguousarray(ends[:, 1:])
+        written, given = self._table(first, last, of_run, values)
+        ends = _positions(state, written, given)
+        state.motion = state.in_force = motion
+        state.gap, state.position, state.moved = self._gap(first), ends[:, -1].tolist(), True
+        if feed == feed:  # noqa: PLR0124  # there is an F
+            state.feed = feed * scale
+        self._keep_numbers(of_run)
+        starts = lines.starts[first : last + 1]
         return PlainRun(
-            line=number, kind=Kind.LINE if state.motion else Kind.RAPID, ends=ends, written=written,
-            absolute=state.absolute, inch=state.inch, gap=state.gap, eol=eol, text=text, feed=state.feed_in_minutes,
-            held=state.commanded.held[state.absolute], shift=state.shift,
+            line=number, kind=Kind.LINE if motion else Kind.RAPID, ends=ends, written=written, absolute=state.absolute,
+            inch=state.inch, gap=state.gap, eol="\r\n" if lines.returned[first] else "\n",
+            source=lines.source[starts[0] : starts[-1]], starts=starts - starts[0], lead=lines.lead[first:last],
+            tail=lines.tail[first:last], feed=state.feed_in_minutes, held=state.commanded.held[state.absolute],
+            shift=state.shift,
         )  # fmt: skip
 
-    def _take(self, run: PlainRun) -> None:
-        """What the blocks of a run leave behind."""
-        state = self._state
-        state.position, state.moved = run.ends[:, -1].tolist(), True
-        for letter in LINEAR:
-            if (at := run.text.rfind(letter)) >= 0:
-                state.numbers[state.row[letter]] = re.match(NUMBER, run.text[at + 1 :])[0]  # type: ignore[index]
+    def _table(self, first: int, last: int, of_run: slice, values: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+        """Which axes the lines name, and their numbers, each (n_axes, n)."""
+        row = np.array([self._state.row[letter] for letter in LINEAR])
+        shape = len(self._state.axes), last - first
+        written, given = np.zeros(shape, dtype=bool), np.zeros(shape)
+        if values.size == 3 * shape[1]:  # every line has all three
+            written[row], given[row] = True, values.reshape(-1, 3).T
+            return written, given
+        place = row[self._lines.axis[of_run]], np.repeat(np.arange(shape[1]), self._lines.words[first:last])
+        written[place], given[place] = True, values
+        return written, given
+
+    def _keep_numbers(self, of_run: slice) -> None:
+        """The last number of each axis as it is written."""
+        axis = self._lines.axis[of_run]
+        for index, letter in enumerate(LINEAR):
+            at = np.flatnonzero(axis == index)
+            if at.size:
+                place = int(self._lines.place[of_run][at[-1]]) + 1
+                found = re.compile(NUMBER).match(self._text, place)
+                self._state.numbers[self._state.row[letter]] = found[0]  # type: ignore[index]
+
+
+def _positions(state: NcState, written: NDArray[np.bool_], given: FloatArray) -> FloatArray:
+    """Where the blocks of a run end, (n_axes, n); written, given: which axes they name, and their numbers."""
+    start = np.array([0.0 if value is None else value for value in state.position])[:, np.newaxis]
+    if not state.absolute:
+        return np.cumsum(np.concatenate([start, given], axis=1), axis=1)[:, 1:]
+    if state.shift:
+        given += np.array(state.shift)[:, np.newaxis]
+    if written.all():
+        return given
+    ends = np.concatenate([start, given], axis=1)
+    last = np.maximum.accumulate(np.where(written, np.arange(1, ends.shape[1]), 0), axis=1)
+    return np.take_along_axis(ends, last, axis=1)

@@ -1,7 +1,6 @@
 """NC blocks with compensated axis words."""
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from types import MappingProxyType
 
 import numpy as np
@@ -12,6 +11,7 @@ from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.moves import Move, Zero
 from trueaxis.compensation.plain_run import PlainRun
+from trueaxis.compensation.run_text import run_text
 from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
 
 _LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
@@ -23,14 +23,17 @@ class BlockWriter:
     """Writes moves; holds the number formats of a machine's words."""
 
     def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
-        self._axes, self._formats = axes, {}
+        self._axes, self._formats, self._digits, self._units = axes, {}, {}, {}
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
             # always with a decimal point: some controls read X100 as 0.1 mm
+            digits = [max(decimals(step), 1) for step in steps]
             self._formats[inch] = [
-                (step, f"{axis}%.{max(decimals(step), 1)}f") for axis, step in zip(axes, steps, strict=True)
+                (step, f"{axis}%.{of_axis}f") for axis, step, of_axis in zip(axes, steps, digits, strict=True)
             ]
+            self._digits[inch] = digits
+            self._units[inch] = np.array([[round(step * 10**n)] for step, n in zip(steps, digits, strict=True)])
 
     def texts(
         self,
@@ -93,37 +96,23 @@ class BlockWriter:
         shares: FloatArray,
     ) -> str:
         """The blocks of a run, as `_single` and `_several` write them one by one."""
-        forms = self._forms(run.inch, run.gap, run.eol)
-        steps = np.array([step for step, _ in self._formats[run.inch]])[:, np.newaxis]
         whole = np.concatenate([[0], np.cumsum(pieces)])
         first = whole[:-1]
         named = run.written | ~stay[:, first]
-        pattern = (1 << np.arange(len(self._axes))) @ named
         source = unchanged[first] & ~(named & ~run.written).any(axis=0)
-        texts = [forms[number] for number in pattern.tolist()]
-        own = np.flatnonzero(source | (pieces > 1))
-        if own.size:
-            sources, named = run.sources(), named & ~(source | (pieces > 1))
+        texts = {}
+        if (own := np.flatnonzero(source | (pieces > 1))).size:
+            sources = run.sources()
             for index in own.tolist():
                 part = slice(whole[index], whole[index + 1])
-                text = sources[index]
+                texts[index] = sources[index]
                 if pieces[index] > 1:
-                    none = [None] * int(pieces[index])
-                    text = self._several(
-                        run.move(index), counts[:, part].T.tolist(), stay[:, part].T.tolist(), shares[part], none
-                    )
-                texts[index] = text  # without a sign of a format
-        values = (counts[:, first] * steps).T[named.T]
-        return "".join(texts) % tuple(values.tolist())
-
-    @cache  # noqa: B019  # as long as the writer
-    def _forms(self, inch: bool, gap: str, eol: str) -> list[str]:
-        """The form of a block by which axes have words: bits, the first axis the lowest."""
-        forms = [form for _, form in self._formats[inch]]
-        return [
-            gap.join(form for row, form in enumerate(forms) if pattern >> row & 1) + eol
-            for pattern in range(1 << len(forms))
-        ]
+                    texts[index] = self._several(
+                        run.move(index), counts[:, part].T.tolist(), stay[:, part].T.tolist(), shares[part],
+                        [None] * int(pieces[index]),
+                    )  # fmt: skip
+        forms = list(zip(self._axes, self._digits[run.inch], strict=True))
+        return run_text(run, forms, counts[:, first] * self._units[run.inch], named, texts)
 
     def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
         """A block that gives axes new values where they stand: where the words, not the program, have put them.

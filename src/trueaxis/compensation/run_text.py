@@ -1,0 +1,87 @@
+"""The text of a run of blocks, all of it at once: a table of characters, of which those that are there are kept."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.plain_run import PlainRun
+
+_Table = list[tuple[NDArray[np.uint8], NDArray[np.bool_]]]  # by columns: characters, and in which blocks they are
+
+
+def run_text(
+    run: PlainRun,
+    forms: Sequence[tuple[str, int]],
+    counts: NDArray[np.int64],
+    named: NDArray[np.bool_],
+    own: Mapping[int, str],
+) -> str:
+    """The blocks of a run with new words.
+
+    forms: letter and decimals of each axis, at least one. counts: (n_axes, n), what words count, in units of their
+    last decimal. named: (n_axes, n), which words are written. own: the text of blocks, by their number in the run, in
+    which these do not count.
+    """
+    columns: _Table = []
+    starts = run.starts[:-1]
+    _add_source(columns, run, starts, run.lead)
+    before = np.zeros(run.count, dtype=bool)
+    for (letter, decimals), count, there in zip(forms, counts, named, strict=True):
+        if not there.any():
+            continue
+        if run.gap and before.any():
+            columns.append((_same(run.gap), before & there))
+        columns.append((_same(letter), there))
+        _add_number(columns, count, decimals, there)
+        before = before | there
+    _add_source(columns, run, run.starts[1:] - len(run.eol) - run.tail, run.tail)
+    everywhere = np.ones(run.count, dtype=bool)
+    columns += [(_same(sign), everywhere) for sign in run.eol]
+    table, kept = (np.empty((run.count, len(columns)), dtype=kind) for kind in (np.uint8, np.bool_))
+    for number, (signs, there) in enumerate(columns):
+        table[:, number], kept[:, number] = signs, there
+    return _with_own(table, kept, own)
+
+
+def _with_own(table: NDArray[np.uint8], kept: NDArray[np.bool_], own: Mapping[int, str]) -> str:
+    """The characters that are kept, block by block, with the text of some blocks in their place."""
+    if not own:
+        return table[kept].tobytes().decode("latin-1")
+    kept[list(own)] = False
+    text = table[kept].tobytes().decode("latin-1")
+    ends = np.cumsum(kept.sum(axis=1))[list(own)].tolist()
+    parts, last = [], 0
+    for end, of_own in zip(ends, own.values(), strict=True):
+        parts += [text[last:end], of_own]
+        last = end
+    return "".join([*parts, text[last:]])
+
+
+def _same(sign: str) -> NDArray[np.uint8]:
+    return np.array(ord(sign), dtype=np.uint8)
+
+
+def _add_source(columns: _Table, run: PlainRun, first: NDArray[np.int64], length: NDArray[np.int64]) -> None:
+    """Characters of the source: so many from these places on."""
+    for index in range(int(length.max())):
+        there = length > index
+        columns.append((run.source[np.where(there, first + index, 0)], there))
+
+
+def _add_number(columns: _Table, count: NDArray[np.int64], decimals: int, there: NDArray[np.bool_]) -> None:
+    """The digits of numbers with a decimal point; count: (n,), in units of the last decimal."""
+    size = np.abs(count)
+    most = int(size.max())
+    size = size.astype(np.uint32 if most < 2**32 else np.uint64)
+    if (negative := count < 0).any():
+        columns.append((_same("-"), negative & there))
+    digits = []
+    for place in range(max(len(str(most)), decimals + 1)):
+        rest = size // 10
+        digits.append(
+            ((size - rest * 10 + ord("0")).astype(np.uint8), there if place <= decimals else there & (size > 0))
+        )
+        size = rest
+    digits.insert(decimals, (_same("."), there))
+    columns += reversed(digits)
