@@ -170,14 +170,14 @@ class Compensator:
             path, placing = self._tracker.place(path, moves, follows, following)
         path, placing = subdivide(path, self._along, placing)
         model = placing.at(np.arange(path.size), np.ones(path.size))
-        absolute, inch = moves.absolute[path.owner], moves.inch[path.owner]
-        lines = moves.lines[path.owner]
+        of = path.owner if path.size > len(moves) else slice(None)  # each move has a point at least
+        absolute, inch, lines = moves.absolute[of], moves.inch[of], moves.lines[of]
         held = moves.held
         waiting = held & self._corrected
         self._note_held(moves, waiting)
-        held, waiting = held[:, path.owner], waiting[:, path.owner]
-        places = Places(waiting, moves.elsewhere[:, path.owner], moves.unnamed[:, path.owner])
-        shift = moves.shift[:, path.owner]
+        held, waiting = held[:, of], waiting[:, of]
+        places = Places(waiting, moves.elsewhere[:, of], moves.unnamed[:, of])
+        shift = moves.shift[:, of]
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)

@@ -24,16 +24,22 @@ def run_text(
     which these do not count.
     """
     columns: _Table = []
-    starts = run.starts[:-1]
-    _add_source(columns, run, starts, run.lead)
+    _add_source(columns, run, run.starts[:-1], run.lead)
+    digits = _digits(np.abs(counts), max(decimals for _, decimals in forms) + 1)
     before = np.zeros(run.count, dtype=bool)
-    for (letter, decimals), count, there in zip(forms, counts, named, strict=True):
+    for row, ((letter, decimals), there) in enumerate(zip(forms, named, strict=True)):
         if not there.any():
             continue
         if run.gap and before.any():
             columns.append((_same(run.gap), before & there))
         columns.append((_same(letter), there))
-        _add_number(columns, count, decimals, there)
+        if (negative := counts[row] < 0).any():
+            columns.append((_same("-"), negative & there))
+        for place in range(len(digits) - 1, -1, -1):
+            sign, leads = digits[place]
+            columns.append((sign[row], there & leads[row] if place > decimals else there))
+            if place == decimals:
+                columns.append((_same("."), there))
         before = before | there
     _add_source(columns, run, run.starts[1:] - len(run.eol) - run.tail, run.tail)
     everywhere = np.ones(run.count, dtype=bool)
@@ -69,19 +75,13 @@ def _add_source(columns: _Table, run: PlainRun, first: NDArray[np.int64], length
         columns.append((run.source[np.where(there, first + index, 0)], there))
 
 
-def _add_number(columns: _Table, count: NDArray[np.int64], decimals: int, there: NDArray[np.bool_]) -> None:
-    """The digits of numbers with a decimal point; count: (n,), in units of the last decimal."""
-    size = np.abs(count)
+def _digits(size: NDArray[np.int64], fewest: int) -> _Table:
+    """The digits of whole numbers, the last first, and whether it or one before it is not 0; each as the numbers."""
     most = int(size.max())
-    size = size.astype(np.uint32 if most < 2**32 else np.uint64)
-    if (negative := count < 0).any():
-        columns.append((_same("-"), negative & there))
-    digits = []
-    for place in range(max(len(str(most)), decimals + 1)):
-        rest = size // 10
-        digits.append(
-            ((size - rest * 10 + ord("0")).astype(np.uint8), there if place <= decimals else there & (size > 0))
-        )
-        size = rest
-    digits.insert(decimals, (_same("."), there))
-    columns += reversed(digits)
+    rest = size.astype(np.uint32 if most < 2**32 else np.uint64)
+    out = []
+    for _ in range(max(len(str(most)), fewest)):
+        before = rest // 10
+        out.append(((rest - before * 10 + ord("0")).astype(np.uint8), rest > 0))
+        rest = before
+    return out

@@ -64,11 +64,15 @@ def solve(
         left = target[:, part] - _actual(tried, here, tool_point)
         length = _norm(left)
         better = np.isfinite(length) & ((length < best[part]) | (method == "ordinary"))
-        kept = index[better]
-        commands[:, kept] = tried[:, better]
-        error[:, kept] = left[:, better]
-        best[kept] = length[better]
-        steps[kept] += 1
+        if better.size == active.size and better.all():
+            commands, error, best = tried, left, length
+            steps += 1
+        else:
+            kept = index[better]
+            commands[:, kept] = tried[:, better]
+            error[:, kept] = left[:, better]
+            best[kept] = length[better]
+            steps[kept] += 1
         active[index] = better & (length > goal)
     converged = np.isfinite(best) & ((best <= goal) | (method == "ordinary"))
     return Solution(commands=commands, target=target, steps=steps, residual=best, before=before, converged=converged)

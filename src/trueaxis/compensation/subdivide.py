@@ -76,15 +76,18 @@ def _bent(
     """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
     origin, point = path.origins[:, owner], path.points[:, owner]
     span = point - origin
-    count = probe_count(np.sqrt((span**2).sum(axis=0)) * (high - low)) + 2  # with both ends
+    at_low, at_high = (
+        along.correction(placing.at(owner, share), origin + share * span) for share in (low, high)
+    )  # fmt: skip
+    count = probe_count(np.sqrt((span**2).sum(axis=0)) * (high - low))
     first = np.cumsum(count) - count
-    motion = np.repeat(np.arange(owner.size), count)
-    share = (np.arange(motion.size) - first[motion]) / (count - 1)[motion]
-    place = low[motion] + share * (high - low)[motion]
-    positions = origin[:, motion] + place * span[:, motion]
-    correction = along.correction(placing.at(owner[motion], place), positions)
-    at_low, at_high = correction[:, first], correction[:, first + count - 1]
-    straight = at_low[:, motion] + share * (at_high - at_low)[:, motion]
+    # which motion each probe belongs to: most have but one, and need no copies
+    of = slice(None) if count.max() == 1 else np.repeat(np.arange(owner.size), count)
+    share = (np.arange(1, count.sum() + 1) - first[of]) / (count + 1)[of]
+    place = low[of] + share * (high - low)[of]
+    positions = origin[:, of] + place * span[:, of]
+    correction = along.correction(placing.at(owner[of], place), positions)
+    straight = at_low[:, of] + share * (at_high - at_low)[:, of]
     return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first) > SHARE)
 
 

@@ -178,14 +178,14 @@ class Tally:
         fed &= np.isfinite(path.origins[0])[done.point]
         fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
         index = np.flatnonzero(fed)
-        reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
-        executed = np.concatenate([previous[:, None], done.positions], axis=1)
-        for share in (0.5, 1.0):
-            at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
-            wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
-            there = placing.at(done.point[index], np.full(index.size, share))
-            point = done.point[index]
-            self._stage("along", there, at, wanted, lines[point], places.uncounted[:, point])
+        point = done.point[index]
+        at_end, wanted_end = done.positions[:, index], done.reference[:, index]
+        executed = np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1)[:, index]
+        reference = np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1)[:, index]
+        middles = executed + 0.5 * (at_end - executed), reference + 0.5 * (wanted_end - reference)
+        at, free = lines[point], places.uncounted[:, point]
+        for share, (there, wanted) in ((0.5, middles), (1.0, (at_end, wanted_end))):
+            self._stage("along", placing.at(point, np.full(index.size, share)), there, wanted, at, free)
 
     def _stage(
         self,

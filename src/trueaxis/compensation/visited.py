@@ -37,13 +37,15 @@ class _Cells:
         """With what was visited of the same cell together; of equal corrections the first stays."""
         if not self.keys.size:
             return self
-        order = np.lexsort((-self.correction, self.keys))
-        keys, first = np.unique(self.keys[order], return_index=True)
-        at = order[first]
+        order = np.argsort(self.keys, kind="stable")  # quick, as a program stays a while in each cell
+        keys, correction = self.keys[order], self.correction[order]
+        first = np.flatnonzero(np.diff(keys, prepend=keys[0] - 1))
+        largest = np.maximum.reduceat(correction, first)
+        there = np.flatnonzero(correction == np.repeat(largest, np.diff(first, append=keys.size)))
         return _Cells(
-            keys=keys,
-            position=self.position[:, at],
-            correction=self.correction[at],
+            keys=keys[first],
+            position=self.position[:, order[there[np.searchsorted(there, first)]]],
+            correction=largest,
             low=np.minimum.reduceat(self.low[:, order], first, axis=1),
             high=np.maximum.reduceat(self.high[:, order], first, axis=1),
         )
@@ -99,10 +101,12 @@ class Visited:
         way = np.where(np.isnan(origins), 0.0, positions - origins)
         while (parts := self._parts(way)).sum() > MOST_SAMPLES and self._each > 1:
             self._halve()
-        source = np.repeat(np.arange(parts.size), parts)
-        share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
-        samples, step = positions[:, source] - share * way[:, source], way[:, source] / parts[source]
-        self._note(samples, step, np.where(share == 0.0, corrections[source], 0.0))
+        if parts.max() > 1:
+            source = np.repeat(np.arange(parts.size), parts)
+            share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
+            way, corrections = way[:, source], np.where(share == 0.0, corrections[source], 0.0)
+            positions, way = positions[:, source] - share * way, way / parts[source]
+        self._note(positions, way, corrections)
         while self._cells.keys.size > MOST_CELLS:
             self._halve()
 
