@@ -9,7 +9,7 @@ from trueaxis.compensation.commanded import Commanded
 from trueaxis.compensation.klartext_lexer import KlartextBlock
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Round
-from trueaxis.compensation.nc_arc import half_unit_of
+from trueaxis.compensation.nc_modes import half_unit_of
 from trueaxis.compensation.nc_state import NcState
 
 _PLANE = ("X", "Y")

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from trueaxis.compensation.dialects import BYTE_ORDER_MARK
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.settings import Dialect
 
@@ -16,7 +17,6 @@ _HEAD = re.compile(
     r"(?:\xef\xbb\xbf)?"
     r"(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+|(?:\d++[ \t]++)?BEGIN PGM[^\r\n]*+)?\r*+\n)*"
 )
-_BYTE_ORDER_MARK = "\xef\xbb\xbf"
 _HEAD_BYTES = 65536
 _SEMICOLON = frozenset({".mpf", ".spf", ".i"})  # extensions of Siemens and Heidenhain, where ( ) is no comment
 
@@ -58,7 +58,7 @@ def marked(pieces: Iterable[str], comment: str) -> Iterator[str]:
             yield piece
             continue
         placed, end = True, match.end()
-        if piece.startswith(_BYTE_ORDER_MARK, end):
-            end += len(_BYTE_ORDER_MARK)
+        if piece.startswith(BYTE_ORDER_MARK, end):
+            end += len(BYTE_ORDER_MARK)
         ending = re.search(r"\r*\n", piece)
         yield f"{piece[:end]}{comment}{ending[0] if ending else chr(10)}{piece[end:]}"

@@ -1,16 +1,15 @@
 """The arc that the words of a G2 or G3 block make."""
 
 import math
-from collections.abc import Sequence
 
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.arc_rounding import allowed_about, allowed_beyond_radius, half_unit, rounding_of
+from trueaxis.compensation.arc_rounding import allowed_about, allowed_beyond_radius, rounding_of
 from trueaxis.compensation.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
 from trueaxis.compensation.machine import LINEAR
-from trueaxis.compensation.nc_lexer import decimals_of
 from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_modes import half_unit_of
 from trueaxis.compensation.nc_state import NcState
-from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _CENTRE_OF = dict(zip("XYZ", "IJK", strict=True))
 
@@ -69,19 +68,3 @@ def _centre(state: NcState, meaning: Meaning, axis: str, start: float, scale: fl
 def _linear(state: NcState, position: tuple[float, ...]) -> Vector:
     x, y, z = (position[state.row[axis]] if axis in state.row else 0.0 for axis in LINEAR)
     return (x, y, z)
-
-
-def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None:
-    """Before a change of units: keep what is needed of the numbers written in the old ones."""
-    if inch != state.inch:
-        state.numbers = [half_unit_of([number], state.inch, integers) if number else None for number in state.numbers]
-
-
-def half_unit_of(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
-    """Half a unit, mm, of the longest of the numbers that gave positions; 0 where no word did."""
-    undotted = 0 if integers != "least-increment" else 4 if inch else 3
-    counts = [
-        undotted if (count := decimals_of(number)) is None else count for number in numbers if isinstance(number, str)
-    ]
-    known = [number for number in numbers if isinstance(number, float)]
-    return max([*known, *([half_unit(max(counts), inch)] if counts else [])], default=0.0)

@@ -3,13 +3,16 @@
 import math
 import re
 
+from collections.abc import Sequence
+
 from trueaxis.compensation import m_codes
+from trueaxis.compensation.arc_rounding import half_unit
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_arc import keep_rounding
+from trueaxis.compensation.nc_lexer import decimals_of
 from trueaxis.compensation.nc_meaning import Meaning
 from trueaxis.compensation.nc_state import MODE_NOTES, NcState
-from trueaxis.compensation.settings import MM_PER_INCH, Settings
+from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 
@@ -88,3 +91,19 @@ class ModeReader:
             for mode, text in MODE_NOTES.items():
                 if mode not in self._state.said:
                     self._notes.add(number, text)
+
+
+def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None:
+    """Before a change of units: keep what is needed of the numbers written in the old ones."""
+    if inch != state.inch:
+        state.numbers = [half_unit_of([number], state.inch, integers) if number else None for number in state.numbers]
+
+
+def half_unit_of(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
+    """Half a unit, mm, of the longest of the numbers that gave positions; 0 where no word did."""
+    undotted = 0 if integers != "least-increment" else 4 if inch else 3
+    counts = [
+        undotted if (count := decimals_of(number)) is None else count for number in numbers if isinstance(number, str)
+    ]
+    known = [number for number in numbers if isinstance(number, float)]
+    return max([*known, *([half_unit(max(counts), inch)] if counts else [])], default=0.0)
