@@ -2,7 +2,6 @@
 
 import math
 import re
-
 from collections.abc import Sequence
 
 from trueaxis.compensation import m_codes
