@@ -5,9 +5,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trueaxis.compensation.course import LONG, Course, Standing, since_reversal, turnings
+from trueaxis.compensation.course import (
+    LONG,
+    RAMP,
+    Course,
+    Standing,
+    at_vertices,
+    cruising,
+    ramps,
+    since_reversal,
+    turnings,
+)
 from trueaxis.compensation.path import Path
-from trueaxis.compensation.velocity import RAMP, at_vertices, cruising, ramps
 from trueaxis.effects.placement import FARTHEST
 
 

@@ -10,9 +10,7 @@ from hypothesis import strategies as st
 from tests.compensation.analytic_machine import FloatArray
 from tests.compensation.five_axes import TEXTS, FiveAxes, constant
 from tests.machines import serial_text
-from trueaxis.compensation.orientation import SINGULAR, ToolAxis, angle
-from trueaxis.compensation.solve import solve
-from trueaxis.compensation.solve_pose import PoseSolution, solve_pose
+from trueaxis.compensation.solve import SINGULAR, PoseSolution, ToolAxis, angle, solve, solve_pose
 from trueaxis.model.model import MachineModel
 
 TOOL = np.array([[4.0], [-3.0], [-120.0]])

@@ -6,7 +6,7 @@ import pytest
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
-from trueaxis.compensation import m_codes
+from trueaxis.compensation import nc_codes as codes
 from trueaxis.io.faults import InputError
 
 HEAD = "G21 G90 G17\nG0 X100. Y100. Z100.\n"
@@ -34,14 +34,14 @@ def test_a_code_that_is_the_builders_needs_the_users_word(bench: Bench, code: in
     assert bench.run(program, pass_m=(code,)) == program.encode()
 
 
-@pytest.mark.parametrize("code", sorted(m_codes.KNOWN.keys() - m_codes.END))
+@pytest.mark.parametrize("code", sorted(codes.KNOWN.keys() - codes.END))
 def test_what_means_the_same_everywhere_passes(bench: Bench, code: int) -> None:
     program = f"{HEAD}M{code}\nG1 X5. F100\n"
     assert bench.run(program) == program.encode()
     assert bench.report.passed == ()
 
 
-@pytest.mark.parametrize("code", sorted(m_codes.HARMFUL))
+@pytest.mark.parametrize("code", sorted(codes.HARMFUL))
 def test_what_moves_axes_is_not_passed_whoever_vouches(bench: Bench, code: int) -> None:
     with pytest.raises(InputError, match=f"line 3: M{code} .*--pass-m does not pass it"):
         bench.run(f"{HEAD}M{code}\nG1 X5.\n", pass_m=(code,))

@@ -15,8 +15,7 @@ from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
 from tests.compensation.shop_control import AXES, Control
 from tests.compensation.test_command import command
-from trueaxis.compensation.offset_files import offset_of_option, read_offsets
-from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.offsets import Offsets, offset_of_option, read_offsets
 from trueaxis.io.faults import InputError
 
 ORIGIN = np.zeros((3, 1))

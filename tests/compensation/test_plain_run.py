@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
-from trueaxis.compensation import plain_run
+from trueaxis.compensation import nc_plain
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.io.faults import InputError
@@ -49,7 +49,7 @@ def outcome(bench: Bench, text: str, fewest: int, options: dict[str, object]) ->
     """What is written or refused, and the report, with runs of no fewer blocks."""
     of = paper_sized(3.0)
     machine = XyzMachine(of.curves, of.squareness, travel=LIMITS)
-    with patch.object(plain_run, "FEWEST", fewest):
+    with patch.object(nc_plain, "FEWEST", fewest):
         try:
             written = bench.run(text, machine, **options)  # type: ignore[arg-type]
         except InputError as error:

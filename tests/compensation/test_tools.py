@@ -17,8 +17,7 @@ from tests.compensation.test_command import command
 from tests.compensation.test_offsets import KNOWN, both
 from tests.compensation.test_uncommanded import words
 from trueaxis.compensation.offsets import Offsets
-from trueaxis.compensation.tool_files import read_tools
-from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.compensation.tools import Tool, ToolTable, read_tools
 from trueaxis.io.faults import InputError
 
 LENGTHS = {1: 80.0, 2: 215.5, 3: 31.25, 4: 80.0}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
-from trueaxis.compensation.visited import MOST_CELLS, Visited
+from trueaxis.compensation.reliance import MOST_CELLS, Visited
 from trueaxis.model.model import MachineModel, load_model
 
 

@@ -8,7 +8,7 @@ import pytest
 from tests.command_lines import run
 from tests.hostile import make_hostile, run_of
 from tests.machines import ROOT
-from trueaxis.compensation.ends import commanded_ends
+from trueaxis.compensation.files import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import path_errors, read_wanted
 from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE

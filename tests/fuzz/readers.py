@@ -21,8 +21,8 @@ from tests.fuzz.seeds import TINY
 from tests.machines import ROOT
 from trueaxis.codegen.check import faults_of_kinds
 from trueaxis.codegen.numpy_source import numpy_source
-from trueaxis.compensation.offset_files import read_offsets
-from trueaxis.compensation.tool_files import read_tools
+from trueaxis.compensation.offsets import read_offsets
+from trueaxis.compensation.tools import read_tools
 from trueaxis.derivation.effect_terms import effect_routine
 from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse

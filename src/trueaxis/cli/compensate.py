@@ -10,11 +10,10 @@ from trueaxis.cli.arguments import file_to_write, misfit_option, option, positiv
 from trueaxis.cli.draws import add_draws, draws_of
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
-from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options
-from trueaxis.compensation.offsets import Offsets, Range
+from trueaxis.compensation.offsets import Offsets, Range, offset_of_option, read_offsets, with_options
 from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
-from trueaxis.compensation.tool_files import read_tools
+from trueaxis.compensation.tools import read_tools
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering

@@ -7,17 +7,14 @@ become M codes or comments; whatever else may move or shift anything is a fault 
 import math
 from collections.abc import Callable, Iterable, Iterator
 
-from trueaxis.compensation import apt_words
-from trueaxis.compensation.apt_circle import Circle, arcs_through, unit
-from trueaxis.compensation.apt_statements import Statement, decimals_of, number_of, statements
-from trueaxis.compensation.apt_words import feed_of, follow_codes
-from trueaxis.compensation.arc_rounding import half_unit
-from trueaxis.compensation.arcs import Arc, ArcError, Vector
-from trueaxis.compensation.commanded import Commanded, CommandedAxes
-from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation import apt_statements as words
+from trueaxis.compensation.apt_statements import Statement, decimals_of, feed_of, follow_codes, number_of, statements
+from trueaxis.compensation.arcs import Arc, ArcError, Circle, Vector, arcs_through, half_unit, unit
+from trueaxis.compensation.dialects import unmarked
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
-from trueaxis.compensation.mark import unmarked
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensation.nc_state import Commanded, CommandedAxes
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _EOL = "\n"
@@ -71,7 +68,7 @@ class AptReader:
             if self._circle is not None and speaks:
                 yield from self._finish_circle()
             if statement.comment is not None:
-                yield apt_words.comment(statement.comment) + _EOL
+                yield words.comment(statement.comment) + _EOL
             if statement.problem:
                 self._faults.add(statement.line, statement.problem)
             elif statement.major:
@@ -88,18 +85,18 @@ class AptReader:
             "RAPID": self._rapidly, "FEDRAT": self._feed_rate, "UNITS": self._units,
             "END": self._end, "FINI": self._end, "MSYS": self._system, "CSYS": self._system,
         }  # fmt: skip
-        if self._ended and major not in {"FINI", *apt_words.TEXT}:
+        if self._ended and major not in {"FINI", *words.TEXT}:
             self._faults.add(statement.line, f"{major[:30]} after the end of the program in line {self._ended}")
         elif major in motions:
             yield from motions[major](statement)
-        elif major in apt_words.BLOCKS:
+        elif major in words.BLOCKS:
             yield from self._block(statement)
-        elif major in apt_words.IGNORED or (major in apt_words.CAN_BE_OFF and apt_words.is_off(statement)):
-            if major not in apt_words.TEXT:
+        elif major in words.IGNORED or (major in words.CAN_BE_OFF and words.is_off(statement)):
+            if major not in words.TEXT:
                 self._notes.add(statement.line, f"{major} is kept as a comment only")
-            yield apt_words.comment(statement.text.strip()) + _EOL
-        elif major in apt_words.FAULTY:
-            self._faults.add(statement.line, f"{major} {apt_words.FAULTY[major]}", "resolve it in the CL file")
+            yield words.comment(statement.text.strip()) + _EOL
+        elif major in words.FAULTY:
+            self._faults.add(statement.line, f"{major} {words.FAULTY[major]}", "resolve it in the CL file")
         else:
             self._faults.add(
                 statement.line,
@@ -117,7 +114,7 @@ class AptReader:
         self._ended = self._ended or statement.line
 
     def _block(self, statement: Statement) -> Iterator[Item]:
-        if (text := apt_words.BLOCKS[statement.major](statement)) is None:
+        if (text := words.BLOCKS[statement.major](statement)) is None:
             self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
             return
         if follow_codes(text, statement.line, self._commanded, self._settings, self._faults, self._notes):
@@ -127,10 +124,10 @@ class AptReader:
     def _system(self, statement: Statement) -> Iterator[Item]:
         """A coordinate system: only the one that changes nothing (turned by nothing, shifted by nothing)."""
         numbers = self._numbers(statement, statement.minor)
-        if numbers is not None and not apt_words.changes_nothing(numbers):
+        if numbers is not None and not words.changes_nothing(numbers):
             self._faults.add(statement.line, f"{statement.major} gives the positions in a shifted frame")
         elif numbers is not None:
-            yield apt_words.comment(statement.text.strip()) + _EOL
+            yield words.comment(statement.text.strip()) + _EOL
 
     def _numbers(self, statement: Statement, words: Iterable[str]) -> list[float] | None:
         values = []

@@ -1,9 +1,16 @@
-"""Statements of an APT cutter location file: `MAJOR / minor, ...`, `$` continues, `$$` comments."""
+"""Statements of an APT cutter location file: `MAJOR / minor, ...`, `$` continues, `$$` comments; and post-processor
+vocabulary: what moves nothing, as NC blocks, FEDRAT as an F word, M codes of blocks.
+"""
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
+
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.moves import STOP, TOOL_CHANGE, Notes
+from trueaxis.compensation.nc_state import CommandedAxes
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 LONGEST = 100_000  # characters of one statement with its continuations
 
@@ -82,3 +89,182 @@ def number_of(word: str) -> float | None:
     except ValueError:
         return None
     return value if abs(value) <= 1e9 else None
+
+
+# kept as comments in the written program, of no influence on positions
+TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
+IGNORED = TEXT | frozenset(
+    "MACHIN TLDATA CUTTER INTOL OUTTOL TOLER PAINT DISPLY LINTOL SEQNO LEADER TMARK REWIND TOOLNO HEAD SELECT CLEARP "
+    "SAFETY MODE OPSKIP DELAY DRAFT CHECK MULTAX TLAXIS MCHTOL MAXDPM MAXVEL CLRSRF PLABEL VTLAXIS PROTECT TPRINT AIR "
+    "FLUSH CLDIST PITCH".split()
+)
+# faults, unless they say OFF
+CAN_BE_OFF = frozenset({"CUTCOM", "CYCLE", "TLCOMP", "OFSTNO"})
+
+# what moves or shifts positions in a way that is not followed
+FAULTY = {
+    "CYCLE": "is a canned cycle: its motions are not in the file",
+    "TRANS": "shifts the positions",
+    "ORIGIN": "shifts the positions",
+    "TRACUT": "transforms the positions",
+    "MATRIX": "defines a transformation",
+    "COPY": "repeats motions transformed",
+    "INDEX": "repeats motions transformed",
+    "ROTATE": "turns a table or head",
+    "ROTABL": "turns a table or head",
+    "ROTHED": "turns a table or head",
+    "CUTCOM": "shifts positions by a tool value that is not in the file",
+    "TLCOMP": "shifts positions by a tool value that is not in the file",
+    "OFSTNO": "shifts positions by a tool value that is not in the file",
+    "GOHOME": "moves to a position that is not in the file",
+    "RETRCT": "moves to a position that is not in the file",
+    "PLUNGE": "moves to a position that is not in the file",
+    "THREAD": "couples the feed to the spindle (thread)",
+    "PREFUN": "inserts a preparatory function",
+    "INSERT": "inserts NC text",
+    "MACRO": "is a macro",
+    "CALL": "calls a macro",
+    "LOOPST": "is a loop",
+    "LOOPND": "is a loop",
+    "JUMPTO": "jumps",
+    "IF": "is a condition",
+    "GOFWD": "is a motion along surfaces, not a cutter location",
+    "GOBACK": "is a motion along surfaces, not a cutter location",
+    "GOLFT": "is a motion along surfaces, not a cutter location",
+    "GORGT": "is a motion along surfaces, not a cutter location",
+    "GOUP": "is a motion along surfaces, not a cutter location",
+    "GODOWN": "is a motion along surfaces, not a cutter location",
+    "TLON": "is a motion along surfaces, not a cutter location",
+    "TLLFT": "is a motion along surfaces, not a cutter location",
+    "TLRGT": "is a motion along surfaces, not a cutter location",
+    "INDIRV": "is a motion along surfaces, not a cutter location",
+    "INDIRP": "is a motion along surfaces, not a cutter location",
+    "NURBS": "is a curve that is not followed",
+    "POLY": "is a curve that is not followed",
+    "COUPLE": "couples axes",
+    "ARCSLP": "changes how circles are made",
+}
+
+
+# LinuxCNC acts on comments that begin like this
+_ACTIVE = re.compile(r"[ \t]*\w+[ \t]*,")
+
+
+def is_off(statement: Statement) -> bool:
+    """Whether a statement says OFF and nothing else."""
+    return tuple(word.upper() for word in statement.minor) == ("OFF",)
+
+
+def changes_nothing(system: Sequence[float]) -> bool:
+    """Whether the numbers of MSYS or CSYS are those of a system that is neither turned nor shifted."""
+    neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
+    return tuple(system) == neutral.get(len(system))
+
+
+def comment(text: str) -> str:
+    """An NC comment, its brackets taken out so that it stays one, and made no command of a control (LinuxCNC)."""
+    clean = text.replace("(", "[").replace(")", "]")
+    if _ACTIVE.match(clean):
+        clean = f"- {clean}"
+    return f"({''.join(sign if sign.isprintable() else '?' for sign in clean)})"
+
+
+def whole_number(text: str) -> int | None:
+    """A whole number from 0 to 999999, or None."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return int(value) if value == value // 1 and 0 <= value <= 999_999 else None
+
+
+def _tool(statement: Statement) -> str | None:
+    for word in statement.minor:
+        number = whole_number(word)
+        if number is not None:
+            return f"T{number} M6"
+    return None
+
+
+def _spindle(statement: Statement) -> str | None:
+    words = [word.upper() for word in statement.minor]
+    if "OFF" in words:
+        return "M5"
+    speed = next((number for word in words if (number := whole_number(word)) is not None), None)
+    turn = "M4" if "CCLW" in words else "M3"
+    if speed is None:
+        return turn if not words or set(words) <= {"ON", "CLW", "CCLW"} else None
+    return f"S{speed} {turn}"
+
+
+def _coolant(statement: Statement) -> str | None:
+    words = {word.upper() for word in statement.minor}
+    return "M9" if "OFF" in words else "M7" if "MIST" in words else "M8"
+
+
+def _auxiliary(statement: Statement) -> str | None:
+    number = whole_number(statement.minor[0]) if statement.minor else None
+    return None if number is None else f"M{number}"
+
+
+# statements that become words; None from the function: the statement cannot be understood
+BLOCKS: dict[str, Callable[[Statement], str | None]] = {
+    "LOADTL": _tool,
+    "SPINDL": _spindle,
+    "COOLNT": _coolant,
+    "AUXFUN": _auxiliary,
+    "STOP": lambda _: "M0",
+    "OPSTOP": lambda _: "M1",
+}
+
+
+_PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
+_PER_TURN = {"MMPR": False, "PERREV": None, "IPR": True}
+
+
+class Feed(NamedTuple):
+    """mode: G94 or G95; word: the F word; per_minute: mm/min, NaN where it counts by turns."""
+
+    mode: str
+    word: str
+    per_minute: float
+
+
+def feed_of(words: Sequence[str], inch: bool) -> Feed | None:
+    """The feed of FEDRAT's words (upper case) in a program in inches or mm; None if they make none."""
+    numbers = [word for word in words if word[:1] in "+-.0123456789" and word]
+    units = [word for word in words if word not in numbers]
+    unit = units[0] if len(units) == 1 else "PERMIN" if not units else ""
+    table = {**_PER_MINUTE, **_PER_TURN}
+    value = number_of(numbers[0]) if len(numbers) == 1 else None
+    if value is None or unit not in table or value <= 0:
+        return None
+    of_inch = table[unit]
+    if of_inch is not None and of_inch != inch:
+        value *= MM_PER_INCH if of_inch else 1.0 / MM_PER_INCH
+    turns = unit in _PER_TURN
+    per_minute = math.nan if turns else value * (MM_PER_INCH if inch else 1.0)
+    word = f"F{value:.4f}".rstrip("0").rstrip(".")
+    return None if word == "F0" else Feed("G95" if turns else "G94", word, per_minute)
+
+
+_M_CODE = re.compile(r"\bM(\d+)\b")
+
+
+def follow_codes(
+    block: str, line: int, commanded: CommandedAxes, settings: Settings, faults: FaultLog, notes: Notes
+) -> bool:
+    """Follow the M codes of a block; returns whether one ends the program."""
+    codes = [int(code) for code in _M_CODE.findall(block)]
+    for code in codes:
+        if problem := codes.problem_of(code, settings.pass_m, settings.dialect):
+            faults.add(line, *problem)
+        elif codes.vouched_for(code, settings.pass_m):
+            notes.pass_code(line, code)
+        elif code == codes.TOOL_CHANGE:
+            notes.add(line, TOOL_CHANGE)
+            commanded.displace()
+        elif code in codes.STOPS:
+            notes.add(line, STOP)
+            commanded.stop()
+    return not codes.END.isdisjoint(codes)

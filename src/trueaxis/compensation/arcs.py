@@ -1,13 +1,17 @@
-"""Circular moves: from words to an arc, from an arc to chords."""
+"""Circular moves: from words, or a CIRCLE of a cutter location file with the GOTOs along it, to an arc; how far
+rounding alone can put its ends at different radii; from an arc to chords.
+"""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import FloatArray
+from trueaxis.compensation.settings import MM_PER_INCH
 
 Vector = tuple[float, float, float]
 
@@ -149,3 +153,132 @@ def chords(starts: FloatArray, ends: FloatArray, arcs: Sequence[Arc], tolerance:
     last = number == count[arc]
     points[:, last] = ends
     return Chords(arc, share, points)
+
+
+# Coarser rounding than this is not believed: whole numbers and tenths are what somebody has written exactly.
+FEWEST_DECIMALS, FEWEST_DECIMALS_INCH = 2, 3
+_SECOND_ORDER = 1.0  # of (rounding)^2 / radius, on either radius
+_DOUBLES = 1e-9  # mm; what positions lose in doubles, far below any word
+
+
+class WordRounding(NamedTuple):
+    """Half a unit of the last decimal, mm, of the words of an arc: start and end by axis X Y Z, centre or radius.
+
+    The axis across the plane has 0.
+    """
+
+    start: Vector
+    end: Vector
+    centre: float
+
+
+def half_unit(decimals: int, inch: bool) -> float:
+    """Half a unit of the last decimal, mm."""
+    if inch:
+        return 0.5 * MM_PER_INCH * 10.0 ** -max(decimals, FEWEST_DECIMALS_INCH)
+    return 0.5 * 10.0 ** -max(decimals, FEWEST_DECIMALS)
+
+
+def rounding_of(
+    in_plane: Sequence[bool], decimals: Mapping[str, int], before: float, absolute: bool, inch: bool
+) -> WordRounding:
+    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: of its
+    words; before: half a unit of the words that gave the start, mm.
+    """
+    unit = half_unit(max(decimals.values(), default=0), inch)
+    x, y, z = (float(inside) for inside in in_plane)
+    first = before if absolute else 0.0
+    return WordRounding((first * x, first * y, first * z), (unit * x, unit * y, unit * z), unit)
+
+
+def allowed_about(start: Vector, end: Vector, centre: Vector, rounding: WordRounding) -> float:
+    """Largest difference of the radii of start and end that rounding explains, mm."""
+    first, first_radius = _direction(start, centre)
+    last, last_radius = _direction(end, centre)
+    size = sum(
+        rounding.centre * abs(b - a) + (ds + de) * abs(b)
+        for a, b, ds, de in zip(first, last, rounding.start, rounding.end, strict=True)
+    )
+    both = max(rounding.start) + max(rounding.end) + 2.0 * rounding.centre
+    return size + _SECOND_ORDER * both * both / max(min(first_radius, last_radius), both) + _DOUBLES
+
+
+def allowed_beyond_radius(start: Vector, end: Vector, rounding: WordRounding) -> float:
+    """Largest amount, mm, by which rounding explains that half the chord of an arc by R is longer than R."""
+    along, length = _direction(end, start)
+    size = sum(0.5 * (ds + de) * abs(u) for u, ds, de in zip(along, rounding.start, rounding.end, strict=True))
+    both = max(rounding.start) + max(rounding.end)
+    return rounding.centre + size + _SECOND_ORDER * both * both / max(length, both, _DOUBLES) + _DOUBLES
+
+
+def _direction(point: Vector, centre: Vector) -> tuple[Vector, float]:
+    x, y, z = (p - c for p, c in zip(point, centre, strict=True))
+    length = math.hypot(x, y, z)
+    if length == 0.0:
+        return (0.0, 0.0, 0.0), 0.0
+    return (x / length, y / length, z / length), length
+
+
+_ROUNDED_AXIS = 1e-6  # a direction of unit length as CL files give it, six decimals
+_FULL = 2.0 * math.pi + 1e-6
+
+
+def unit(vector: Sequence[float]) -> Vector:
+    """A direction made a unit vector.
+
+    Raises ArcError when it is not within 0.001 of one already.
+    """
+    length = math.hypot(*vector)
+    if not abs(length - 1.0) <= 1e-3:
+        raise ArcError("a direction must be a unit vector")
+    return (vector[0] / length, vector[1] / length, vector[2] / length)
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """Centre (mm), axis (unit vector), radius (mm); rounding: half a unit of the last decimal of these numbers, mm."""
+
+    centre: Vector
+    axis: Vector
+    radius: float
+    rounding: float
+
+    def distance(self, point: Vector) -> float:
+        """Distance of a point from the cylinder over the circle, mm."""
+        to_point = tuple(p - c for p, c in zip(point, self.centre, strict=True))
+        along = sum(p * a for p, a in zip(to_point, self.axis, strict=True))
+        across = math.hypot(*(p - along * a for p, a in zip(to_point, self.axis, strict=True)))
+        return abs(across - self.radius)
+
+    def allowed(self, rounding: float) -> float:
+        """Distance that rounding explains, mm, of a point whose coordinates are rounded by so much.
+
+        Three coordinates of either point, the radius, and what a rounded axis moves a point at the end of the radius.
+        """
+        return math.sqrt(3.0) * (rounding + self.rounding) + self.rounding + _ROUNDED_AXIS * self.radius
+
+    def holds(self, point: Vector, rounding: float) -> bool:
+        """Whether a point lies on the circle as far as rounding lets one know."""
+        return self.distance(point) <= self.allowed(rounding)
+
+
+def arcs_through(start: Vector, points: Sequence[Vector], circle: Circle) -> list[Arc]:
+    """One arc for each GOTO of a circle; start and points lie on it (`Circle.holds`).
+
+    The sense is counter-clockwise about the axis unless that takes more than a full turn to pass all points in order
+    and the other way does not: some systems give the same axis for both senses.
+    Raises ArcError when neither sense passes them in one turn.
+    """
+    problem = ""
+    for sense in (1.0, -1.0):
+        normal = (sense * circle.axis[0], sense * circle.axis[1], sense * circle.axis[2])
+        found = []
+        place = start
+        for point in points:
+            found.append(arc_about(place, point, circle.centre, normal, math.inf))
+            place = point
+        total = sum(arc.sweep for arc in found)
+        if total <= _FULL:
+            return found
+        problem = problem or f"the points of the circle take {math.degrees(total):.0f} deg to pass in order"
+    raise ArcError(problem)

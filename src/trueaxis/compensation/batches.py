@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from trueaxis.compensation.arcs import MOST_CHORDS, Arc, chord_counts
-from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Move, Setup, Start, Zero
-from trueaxis.compensation.plain_run import PlainRun
+from trueaxis.compensation.nc_plain import PlainRun
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.subdivide import PROBE_SPACING
 

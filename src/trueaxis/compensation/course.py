@@ -1,13 +1,16 @@
-"""How the axes get along the motions of a path: direction, distance since the last reversal, velocity."""
+"""How the axes get along the motions of a path: direction, distance since the last reversal, velocity; and the machine
+at its places, where effects depend on that.
+"""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.machine import FloatArray
+from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.path import Path
 from trueaxis.effects.placement import FARTHEST
 from trueaxis.model.context import Context
@@ -142,3 +145,149 @@ def since_reversal(
     last = np.maximum.accumulate(np.where(turned, np.arange(path.size), -1), axis=1)
     at_last = np.take_along_axis(way, np.maximum(last, 0)[np.newaxis], axis=2)
     return np.where(last >= 0, way - at_last, standing.since[..., None] + way), gone
+
+
+Rows = NDArray[np.int64] | NDArray[np.bool_] | slice
+
+
+class ContextModel(ErrorModel, Protocol):
+    """A machine whose errors depend on more than positions."""
+
+    def in_context(self, context: Context) -> ErrorModel:
+        """The machine at positions that are reached in the context given, one by one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A machine at n places, each with its own context; positions that are asked for belong to those places."""
+
+    model: ContextModel
+    context: Context
+    actual: ErrorModel
+
+    @classmethod
+    def of_context(cls, model: ContextModel, context: Context) -> "Placed":
+        """At the places of a context."""
+        return cls(model, context, model.in_context(context))
+
+    def of(self, rows: Rows) -> "Placed":
+        """At some of the places."""
+        return Placed.of_context(self.model, self.context.of(rows))
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """As ErrorModel has it, and so the rest."""
+        return self.model.axes
+
+    @property
+    def travel(self) -> Mapping[str, tuple[float, float]]:
+        """Lowest and highest position of each axis."""
+        return self.model.travel
+
+    def ideal(self, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Tool point of the error-free machine."""
+        return self.model.ideal(positions, point)
+
+    def deviation(self, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Actual minus ideal tool point, in the context."""
+        return self.actual.deviation(positions, point)
+
+    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
+        """Increments of the axes that move the ideal tool point."""
+        return self.model.correction(positions, deviation)
+
+    def orientation_ideal(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """A direction on the error-free machine."""
+        return self.model.orientation_ideal(positions, direction)
+
+    def orientation_deviation(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """Actual minus ideal direction, in the context."""
+        return self.actual.orientation_deviation(positions, direction)
+
+
+def of_points(model: ErrorModel, rows: Rows) -> ErrorModel:
+    """The machine for some of the points that it was to be asked about."""
+    return model.of(rows) if isinstance(model, Placed) else model
+
+
+class Placing(Protocol):
+    """Gives the machine at places of the motions of a path."""
+
+    def at(self, motion: NDArray[np.int64], place: FloatArray) -> ErrorModel:
+        """At shares `place` (n,) of the motions with the indices `motion` (n,)."""
+
+    def cut(self, motion: NDArray[np.int64], low: FloatArray, high: FloatArray) -> "Placing":
+        """The same for a path of pieces, from share `low` to `high` of the motions given."""
+
+
+@dataclass(frozen=True, slots=True)
+class Everywhere:
+    """A machine whose errors depend on positions alone."""
+
+    model: ErrorModel
+
+    def at(self, motion: NDArray[np.int64], place: FloatArray) -> ErrorModel:  # noqa: ARG002
+        """The machine."""
+        return self.model
+
+    def cut(self, motion: NDArray[np.int64], low: FloatArray, high: FloatArray) -> Placing:  # noqa: ARG002
+        """The machine."""
+        return self
+
+
+@dataclass(frozen=True, slots=True)
+class OnCourse:
+    """A machine along the course of its axes; time s, temperature degC."""
+
+    model: ContextModel
+    course: Course
+    time: float
+    temperature: float
+
+    def at(self, motion: NDArray[np.int64], place: FloatArray) -> ErrorModel:
+        """The machine in the contexts of those places."""
+        return Placed.of_context(self.model, self.course.context(motion, place, self.time, self.temperature))
+
+    def cut(self, motion: NDArray[np.int64], low: FloatArray, high: FloatArray) -> Placing:
+        """Along the course of the pieces."""
+        return OnCourse(self.model, self.course.cut(motion, low, high), self.time, self.temperature)
+
+
+SMOOTH = np.cos(np.radians(10.0))  # of the largest turn between two moves that are run through without braking
+RAMP = 0.05  # s
+
+
+def cruising(path: Path, feed: FloatArray, axes: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
+    """Velocity of the axes in the midst of each motion, (n_axes, n), mm/s or deg/s, and the motions' duration, (n,), s.
+
+    feed: (n,), mm/min along the linear axes, or deg/min where they stand; NaN: not known. Velocity is 0 where it is not
+    known, in rapids, and where nothing moves.
+    """
+    span = path.points - path.origins
+    linear = list(linear_rows(axes))
+    way = np.sqrt((span[linear] ** 2).sum(axis=0))
+    way = np.where(way > 0.0, way, np.sqrt((span**2).sum(axis=0)))
+    known = ~path.rapid & (way > 0.0) & (feed > 0.0)
+    duration = np.where(known, way / np.where(known, feed / 60.0, 1.0), 0.0)
+    return np.where(known, span / np.where(known, duration, 1.0), 0.0), duration
+
+
+def at_vertices(velocity: FloatArray, owner: NDArray[np.int64], follows: NDArray[np.bool_]) -> FloatArray:
+    """Velocity at the end of each motion but the last, (n_axes, n - 1): the mean of both sides where they run smoothly
+    into each other, else 0.
+
+    owner: (n,), move of each motion; follows: (n_moves,), whether the next may follow a move without a stop.
+    """
+    before, after = velocity[:, :-1], velocity[:, 1:]
+    length = np.sqrt((before**2).sum(axis=0) * (after**2).sum(axis=0))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        cosine = (before * after).sum(axis=0) / length
+    same = owner[:-1] == owner[1:]
+    smooth = (length > 0.0) & (same | (follows[owner[:-1]] & (cosine >= SMOOTH)))
+    return np.where(smooth, 0.5 * (before + after), 0.0)
+
+
+def ramps(duration: FloatArray) -> FloatArray:
+    """Share of each motion over which the velocity at its ends passes into that of its midst, (n,)."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.where(duration > 2.0 * RAMP, RAMP / duration, 0.5))

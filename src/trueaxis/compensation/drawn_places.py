@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.compensation.course import Placed
 from trueaxis.compensation.machine import FloatArray, linear_jacobian
-from trueaxis.compensation.placed import Placed
+from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import solve
-from trueaxis.compensation.visited import Visited
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import after_reversals

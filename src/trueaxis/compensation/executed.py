@@ -5,16 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.held import Held, standing
-from trueaxis.compensation.lattice import Lattice, Stretch
+from trueaxis.compensation.course import of_points
+from trueaxis.compensation.lattice import Lattice, Stretch, inside_travel
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
-from trueaxis.compensation.middles import Passage, passages, passages_allowed
-from trueaxis.compensation.path import Path
-from trueaxis.compensation.placed import of_points
+from trueaxis.compensation.path import Held, Path, standing
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import Solution
-from trueaxis.compensation.travel import inside_travel
-from trueaxis.compensation.word_choice import choose
+from trueaxis.compensation.word_choice import Passage, choose, passages, passages_allowed
 
 SAME_TURN = 1e-9  # deg: less is no turn but the rounding of sums
 

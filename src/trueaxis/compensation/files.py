@@ -1,4 +1,4 @@
-"""A compensation from file to file."""
+"""A compensation from file to file, and the positions that a program commands."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -7,22 +7,34 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Literal, Protocol
 
-from trueaxis.compensation import m_codes
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.apt_reader import AptReader
-from trueaxis.compensation.changes import Changes
-from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_of, is_klartext
-from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.klartext_numbers import numbered
+from trueaxis.compensation.dialects import (
+    MARK,
+    NAMES,
+    RECOGNISED,
+    comment_of,
+    dialect_of,
+    head_of,
+    is_klartext,
+    marked,
+    numbered,
+)
 from trueaxis.compensation.klartext_reader import KlartextReader
 from trueaxis.compensation.linuxcnc_blocks import PASSED
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
-from trueaxis.compensation.mark import MARK, comment_of, marked
-from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.moves import Move, Notes
+from trueaxis.compensation.nc_plain import PlainRun
 from trueaxis.compensation.nc_reader import NcReader
 from trueaxis.compensation.nc_tools import IN_SPINDLE
+from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
-from trueaxis.compensation.report import CompensationReport
+from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import home_of
 from trueaxis.compensation.via_linuxcnc import unrolled
@@ -184,7 +196,7 @@ def compensated(
             raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
         made = unrolled(
             program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
-            settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m,
+            settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
         )  # fmt: skip
         text, passed = made.text, (*settings.pass_m, *PASSED)
         settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)
@@ -226,3 +238,20 @@ def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Setti
     if settings.words != "nearest" and len(linear) != 3:
         raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
     return replace(settings, assumed=home | dict(settings.assumed))
+
+
+def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
+    """Ends of the moves of a program without arcs: positions (n_axes, n), mm or deg.
+
+    Raises InputError with every fault of the program, OSError when it cannot be read.
+    """
+    faults = FaultLog(str(program))
+    reader = NcReader(axes, Settings(), faults, Notes())
+    with program.open(encoding="latin-1", newline="") as file:
+        text = "".join("\n" if MARK in line else line for line in file)
+        moves = MoveTable([item for item in reader.items([text]) if isinstance(item, Move | PlainRun)], len(axes))
+    for _, move in moves.singles():
+        if move.arc is not None:
+            faults.add(move.line, "is an arc", "chords, as compensate writes them")
+    faults.raise_if_any()
+    return moves.ends if len(moves) else np.zeros((len(axes), 0))

@@ -3,14 +3,21 @@
 import math
 from collections.abc import Mapping
 
-from trueaxis.compensation.arc_rounding import allowed_about, allowed_beyond_radius, rounding_of
-from trueaxis.compensation.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
-from trueaxis.compensation.commanded import Commanded
-from trueaxis.compensation.klartext_lexer import KlartextBlock
+from trueaxis.compensation.arcs import (
+    Arc,
+    ArcError,
+    Vector,
+    allowed_about,
+    allowed_beyond_radius,
+    arc_about,
+    arc_of_radius,
+    rounding_of,
+)
+from trueaxis.compensation.klartext_blocks import KlartextBlock
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Round
 from trueaxis.compensation.nc_modes import half_unit_of
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc_state import Commanded, NcState
 
 _PLANE = ("X", "Y")
 

@@ -6,30 +6,30 @@ What is not followed is a fault of its line. Frames, tools and where axes stand 
 import math
 from collections.abc import Iterable, Iterator
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.arcs import Arc, ArcError
-from trueaxis.compensation.commanded import Commanded
-from trueaxis.compensation.dialects import BYTE_ORDER_MARK
-from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
-from trueaxis.compensation.klartext_cycles import Other, other_block
-from trueaxis.compensation.klartext_lexer import (
+from trueaxis.compensation.klartext_blocks import (
     MACHINE_COORDINATES,
+    NO_DEFINITION,
     KlartextBlock,
+    Other,
+    ToolCall,
     codes_alone,
+    definition_differs,
     head_of,
     lex_klartext,
+    other_block,
     too_long,
+    tool_call,
 )
-from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
-from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_meaning import Meaning
-from trueaxis.compensation.nc_point_control import switch
-from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc_lexer import Meaning
+from trueaxis.compensation.nc_modes import switch
+from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_tools import ToolReader
 from trueaxis.compensation.settings import Settings
 
@@ -37,7 +37,7 @@ AFTER_END = "what follows the end of the program is copied as it is: its motions
 PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
 NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 _RETRACT = 140  # M140 MB MAX: along the tool axis to the end of the travel
-_POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
+_POINT_CONTROL = codes.POINT_CONTROL["heidenhain"]
 _ARCS = frozenset({"C", "CR", "CP"})
 _POLAR = frozenset({"LP", "CP"})
 
@@ -187,9 +187,9 @@ class KlartextReader:
             state.position[row] = None
             state.commanded.lose([row])
             items.append(Start(tuple(math.nan if n == row else None for n in range(len(self._axes)))))
-        if any(m_codes.may_move(code, self._settings.pass_m) for code in block.codes):
+        if any(codes.may_move(code, self._settings.pass_m) for code in block.codes):
             self._stop(number)
-        if m_codes.END.intersection(block.codes):
+        if codes.END.intersection(block.codes):
             state.ended = number
         return items
 
@@ -197,9 +197,9 @@ class KlartextReader:
         for code in block.codes:
             if code == MACHINE_COORDINATES or code in _POINT_CONTROL:
                 continue
-            if problem := m_codes.problem_of(code, self._settings.pass_m, "heidenhain"):
+            if problem := codes.problem_of(code, self._settings.pass_m, "heidenhain"):
                 self._faults.add(number, *problem)
-            elif m_codes.vouched_for(code, self._settings.pass_m):
+            elif codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
 
     def _moved(self, number: int, text: str, block: KlartextBlock) -> Move | None:
@@ -285,13 +285,13 @@ class KlartextReader:
         eol = text[len(text.rstrip("\r\n")) :]
         again = f"{block.head}{block.optional}"
         lead = f"{again}L "
-        last = [word for word in block.others if word[0] in "Mm" and int(word[1:]) in m_codes.AFTER]
+        last = [word for word in block.others if word[0] in "Mm" and int(word[1:]) in codes.AFTER]
         tail = "".join(f" {word}" for word in block.others)
         kept = "".join(f" {word}" for word in block.others if word not in last)
         comment = f" {block.comment}" if block.comment else ""
         split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
         kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
-        stops = any(code in m_codes.AFTER for code in block.codes)
+        stops = any(code in codes.AFTER for code in block.codes)
         rounded = None if arc is None or self._settings.arcs != "keep" else as_arc(block)
         return Move(
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",

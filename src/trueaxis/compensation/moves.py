@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from trueaxis.compensation.arcs import Arc
-from trueaxis.compensation.statistics import LineLog
+from trueaxis.compensation.logs import LineLog
 
 
 class Kind(IntEnum):

@@ -1,10 +1,8 @@
 """Sorts the words of one NC block by what they do."""
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.machine import LINEAR, ROTARY
-from trueaxis.compensation.nc_lexer import Block, Word
-from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_lexer import Block, Meaning, Word
 from trueaxis.compensation.offsets import system_name
 from trueaxis.compensation.settings import Settings
 
@@ -134,9 +132,9 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
     code = int(value)
     if code != value or code < 0:
         meaning.complain(f"M{value:g} is not a code")
-    elif code in m_codes.POINT_CONTROL.get(settings.dialect or "", {}):
-        meaning.point_control = m_codes.POINT_CONTROL[settings.dialect or ""][code]
-    elif problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
+    elif code in codes.POINT_CONTROL.get(settings.dialect or "", {}):
+        meaning.point_control = codes.POINT_CONTROL[settings.dialect or ""][code]
+    elif problem := codes.problem_of(code, settings.pass_m, settings.dialect):
         meaning.complain(*problem)
     meaning.miscellaneous.append(code)
 

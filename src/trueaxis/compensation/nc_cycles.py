@@ -15,16 +15,12 @@ from trueaxis.compensation.canned_cycles import (
     Cycle,
     steps,
 )  # fmt: skip
-from trueaxis.compensation.commanded import Commanded
-from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move, Notes
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block
-from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_lexer import Block, Meaning, due_at_end
 from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.nc_state import NcState
-from trueaxis.compensation.nc_text import due_at_end
+from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000

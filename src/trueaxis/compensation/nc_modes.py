@@ -1,15 +1,17 @@
-"""The modes of an NC program: units, distances, planes, how F counts, what numbers without a decimal point count."""
+"""The modes of an NC program: units, distances, planes, how F counts, what numbers without a decimal point count, and
+tool centre point control.
+"""
 
 import math
 import re
 from collections.abc import Sequence
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation.arc_rounding import half_unit
-from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_lexer import decimals_of
-from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.arcs import half_unit
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR
+from trueaxis.compensation.moves import Item, Notes, Start
+from trueaxis.compensation.nc_lexer import Meaning, decimals_of
 from trueaxis.compensation.nc_state import MODE_NOTES, NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
@@ -57,10 +59,10 @@ class ModeReader:
         if meaning.program_number and state.moved:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         for code in meaning.miscellaneous:
-            if m_codes.vouched_for(code, self._settings.pass_m):
+            if codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
-            if code in m_codes.SPINDLE:
-                state.spindle = "" if code == m_codes.SPINDLE_STOP else f"M{code}"
+            if code in codes.SPINDLE:
+                state.spindle = "" if code == codes.SPINDLE_STOP else f"M{code}"
 
     def _feed(self, meaning: Meaning) -> None:
         state = self._state
@@ -106,3 +108,36 @@ def half_unit_of(numbers: Sequence[str | float | None], inch: bool, integers: In
     ]
     known = [number for number in numbers if isinstance(number, float)]
     return max([*known, *([half_unit(max(counts), inch)] if counts else [])], default=0.0)
+
+
+NOTE = (
+    "tool centre point control: X Y Z are those of the tip, in the workpiece frame that turns with the table, and the "
+    "control's kinematics are taken to be the ideal ones of the spec"
+)
+
+
+def switch(
+    number: int, wanted: bool | None, state: NcState, settings: Settings, faults: FaultLog, notes: Notes
+) -> list[Item]:
+    """Take in what a block says of point control; None: nothing. Returns what is not known any more.
+
+    Positions before and after name the same place only where all rotary axes stand at 0.
+    """
+    if wanted is None or wanted == state.point_control:
+        return []
+    rotary = [row for row, axis in enumerate(state.axes) if axis not in LINEAR]
+    if not rotary:
+        faults.add(number, "tool centre point control, but this machine has no rotary axis")
+    if settings.orientation == "correct":
+        faults.add(
+            number, "tool centre point control with --orientation correct is not followed", "say --orientation keep"
+        )
+    state.point_control = wanted
+    notes.add(number, NOTE)
+    if all(state.position[row] == 0.0 for row in rotary):
+        return []
+    linear = [row for row, axis in enumerate(state.axes) if axis in LINEAR]
+    for row in linear:
+        state.position[row] = None
+    state.commanded.lose(linear)
+    return [Start(tuple(math.nan if row in linear else None for row in range(len(state.axes))))]

@@ -1,20 +1,27 @@
-"""The motion of an NC block: rapid, line or arc, in the frame in force or in machine coordinates."""
+"""The motion of an NC block: rapid, line or arc, in the frame in force or in machine coordinates; G28 and G30."""
+
+import math
 
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.arcs import ArcError
-from trueaxis.compensation.commanded import Commanded
-from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.moves import Item, Kind, Move, Notes, Round
-from trueaxis.compensation.nc_arc import arc_of_block
+from trueaxis.compensation.arcs import (
+    Arc,
+    ArcError,
+    Vector,
+    allowed_about,
+    allowed_beyond_radius,
+    arc_about,
+    arc_of_radius,
+    rounding_of,
+)
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR
+from trueaxis.compensation.moves import Item, Kind, Move, Notes, Round, Start
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block
-from trueaxis.compensation.nc_meaning import Meaning
-from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.nc_state import NcState
-from trueaxis.compensation.nc_text import block_text
+from trueaxis.compensation.nc_lexer import Block, Meaning, block_text
+from trueaxis.compensation.nc_modes import ModeReader, half_unit_of
+from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_tools import ToolReader
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 MACHINE_COORDINATES = (
@@ -154,3 +161,105 @@ class MotionReader:
     def _unknown(self, number: int, missing: list[int], end: list[float | None]) -> None:
         self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in missing)))
         self._state.position = [0.0 if value is None else value for value in end]  # said once
+
+
+_CENTRE_OF = dict(zip("XYZ", "IJK", strict=True))
+
+
+def arc_of_block(
+    state: NcState, start: tuple[float, ...], end: tuple[float, ...], meaning: Meaning, settings: Settings
+) -> Arc:
+    """The arc from start to end (axis positions, mm and deg) in the plane in force.
+
+    state: before the block but for its modes. settings: what numbers without a decimal point count, and
+    whether an interpreter has judged the arc.
+    Raises ArcError when the words make none.
+    """
+    integers, judged = settings.undotted, settings.judged
+    first, second, across = codes.PLANES[state.plane]
+    if not {first, second} <= set(state.axes):
+        raise ArcError(f"the plane {first}{second} of the arc is not one of this machine's")
+    turns = meaning.parameters.get("P", 1.0)
+    if set(meaning.parameters) - ({"P"} if meaning.turns else set()) or turns < 1.0 or turns != int(turns):
+        raise ArcError(f"{' '.join(sorted(meaning.parameters))} in the block of an arc: turns of it are not followed")
+    sense = 1.0 if state.motion == 3 else -1.0
+    normal = (sense * (across == "X"), sense * (across == "Y"), sense * (across == "Z"))
+    a, b = _linear(state, start), _linear(state, end)
+    x, y, z = (p if axis == across else q for p, q, axis in zip(a, b, LINEAR, strict=True))
+    flat: Vector = (x, y, z)
+    given = [state.numbers[state.row[axis]] for axis in (first, second)]
+    before = half_unit_of(given, state.inch, integers)
+    in_plane = [axis != across for axis in LINEAR]
+    rounding = rounding_of(in_plane, meaning.decimals, before, state.absolute, state.inch)
+    scale = MM_PER_INCH if state.inch else 1.0
+    if meaning.radius is not None:
+        if meaning.centre:
+            raise ArcError("an arc has either R or I J K")
+        return arc_of_radius(a, b, meaning.radius * scale, normal, allowed_beyond_radius(a, flat, rounding))
+    if meaning.centre.get(_CENTRE_OF[across]) or meaning.ways.get(_CENTRE_OF[across]):
+        raise ArcError(f"{_CENTRE_OF[across]} points out of the plane {first}{second} in force")
+    if not meaning.centre:
+        raise ArcError("an arc without I J K or R")
+    if turns > 1.0 and meaning.radius is not None:
+        raise ArcError("turns of an arc by R")
+    x, y, z = (_centre(state, meaning, axis, p, scale) for p, axis in zip(a, LINEAR, strict=True))
+    allowed = math.inf if judged else allowed_about(a, flat, (x, y, z), rounding)
+    arc = arc_about(a, b, (x, y, z), normal, allowed)
+    return arc._replace(sweep=arc.sweep + 2.0 * math.pi * (turns - 1.0))
+
+
+def _centre(state: NcState, meaning: Meaning, axis: str, start: float, scale: float) -> float:
+    """Position of the centre along an axis, mm; start: that of the start."""
+    letter = _CENTRE_OF[axis]
+    if not meaning.ways.get(letter):
+        return start + scale * meaning.centre.get(letter, 0.0)
+    shift = state.shift[state.row[axis]] if state.shift and axis in state.row else 0.0
+    return scale * meaning.centre[letter] + shift
+
+
+def _linear(state: NcState, position: tuple[float, ...]) -> Vector:
+    x, y, z = (position[state.row[axis]] if axis in state.row else 0.0 for axis in LINEAR)
+    return (x, y, z)
+
+
+AS_IT_IS = (
+    "is left as it is: the point that it passes is not compensated, and each axis gets words again only once the "
+    "program has commanded it"
+)
+BLANK = ", and it defines the blank (Heidenhain)"
+NO_POINT = "where it leads is not known; the table [reference_points] of the spec can say"
+_FIRST_OF_G30 = 2.0  # P of the second reference point, which G30 without P means too
+
+
+def to_reference(
+    number: int, meaning: Meaning, state: NcState, settings: Settings, faults: FaultLog, notes: Notes
+) -> list[Start]:
+    """Take in a motion to a reference point, whose text stays; returns where the axes then stand."""
+    name = f"G{(meaning.data_code or 0) // 10}"
+    axes = [axis for axis in state.axes if axis in meaning.data]
+    if not axes and settings.dialect == "linuxcnc":
+        axes = list(state.axes)
+    if not axes:
+        blank = BLANK if meaning.data_code == codes.TO_SECOND_REFERENCE else ""
+        faults.add(
+            number, f"{name} without axis words: which axes move differs by control{blank}", f"{name} Z0 under G91"
+        )
+        return []
+    other = (
+        meaning.data_code == codes.TO_SECOND_REFERENCE and meaning.parameters.get("P", _FIRST_OF_G30) != _FIRST_OF_G30
+    )
+    point = {} if other else settings.reference_points.get(name, {})
+    lost = [state.row[axis] for axis in axes if axis not in point]
+    notes.add(number, f"{name} {AS_IT_IS}")
+    if lost:
+        notes.add(number, f"{name} {' '.join(state.axes[row] for row in lost)}: {NO_POINT}")
+    stands: list[float | None] = [None] * len(state.axes)
+    position = state.position.copy()
+    for axis in axes:
+        row = state.row[axis]
+        position[row] = point.get(axis)
+        stands[row] = point.get(axis, math.nan)
+    state.position = position
+    state.commanded.lose(lost)
+    state.commanded.name([state.row[axis] for axis in axes if axis in point], Commanded.BY_INCREMENTS)
+    return [Start(tuple(stands))]

@@ -8,28 +8,21 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.dialects import BYTE_ORDER_MARK
-from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
+from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import STOP, Item, Notes, Start
 from trueaxis.compensation.nc_block import interpret
 from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block, lex
-from trueaxis.compensation.nc_meaning import Meaning
-from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_motion import MotionReader
-from trueaxis.compensation.nc_plain import PLAIN, plain_move
-from trueaxis.compensation.nc_point_control import switch
-from trueaxis.compensation.nc_reference import to_reference
+from trueaxis.compensation.nc_lexer import Block, Meaning, lex
+from trueaxis.compensation.nc_modes import ModeReader, switch
+from trueaxis.compensation.nc_motion import MotionReader, to_reference
+from trueaxis.compensation.nc_plain import PLAIN, PlainRun, RunReader, plain_move
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_tools import ToolReader
-from trueaxis.compensation.plain_run import PlainRun, RunReader
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.siemens_functions import take_functions
-from trueaxis.compensation.siemens_lexer import lex_siemens
+from trueaxis.compensation.siemens import lex_siemens, take_functions
 
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
@@ -130,7 +123,7 @@ class NcReader:
 
     def _depends(self, meaning: Meaning) -> bool:
         """Whether it matters to what follows if a block is run."""
-        tool = self._settings.tools is not None and (meaning.tool or m_codes.TOOL_CHANGE in meaning.miscellaneous)
+        tool = self._settings.tools is not None and (meaning.tool or codes.TOOL_CHANGE in meaning.miscellaneous)
         return meaning.positions or meaning.drilling or meaning.changes_modes or bool(tool)
 
     def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
@@ -152,11 +145,11 @@ class NcReader:
             items.append(self._motions.block(number, line, body, block, meaning, again))
         if meaning.changes_tool and self._tools.moves(meaning):  # after the motion too: controls do not agree on it
             state.commanded.displace()
-        stops = m_codes.STOPS.intersection(meaning.miscellaneous)
-        if any(m_codes.may_move(code, self._settings.pass_m) for code in stops):
+        stops = codes.STOPS.intersection(meaning.miscellaneous)
+        if any(codes.may_move(code, self._settings.pass_m) for code in stops):
             state.commanded.stop()
             self._notes.add(number, STOP)
-        if m_codes.END.intersection(meaning.miscellaneous):
+        if codes.END.intersection(meaning.miscellaneous):
             state.ended = number
         return items
 

@@ -4,12 +4,11 @@ SINUMERIK changes the tool at T where its machine data say so (MD22550), turrets
 ISO programs. Where M6 changes the tool, T before it only selects one.
 """
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_lexer import Meaning
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import Dialect, Settings
 from trueaxis.compensation.tools import Tool, ToolTable
@@ -54,7 +53,7 @@ class ToolChanges:
 
     def may_change(self, number: int, meaning: Meaning) -> bool:
         """Take in a block; returns whether it may change the tool."""
-        by_m6 = m_codes.TOOL_CHANGE in meaning.miscellaneous
+        by_m6 = codes.TOOL_CHANGE in meaning.miscellaneous
         by_tool_word = self._by_tool_word and bool(meaning.tool) and not by_m6
         if by_m6:
             if self._faults is None:
@@ -86,7 +85,7 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
-        self._kept = m_codes.TOOL_CHANGE in settings.pass_m
+        self._kept = codes.TOOL_CHANGE in settings.pass_m
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults, self._kept)
         self._selected: int | None = None
         self._changed = False  # a tool has come since the last length was put in force
@@ -98,7 +97,7 @@ class ToolReader:
 
     def moves(self, meaning: Meaning) -> bool:
         """Whether the tool change of a block may move axes."""
-        return not self._kept or m_codes.TOOL_CHANGE not in meaning.miscellaneous
+        return not self._kept or codes.TOOL_CHANGE not in meaning.miscellaneous
 
     def change(self, number: int, meaning: Meaning) -> None:
         """Take in what a block does to the tool."""

@@ -7,33 +7,24 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.acting import acting
-from trueaxis.compensation.along import Along, PointAlong, PoseAlong
-from trueaxis.compensation.arc_blocks import ArcBlocks, arc_blocks
 from trueaxis.compensation.batches import Batch, batches
-from trueaxis.compensation.changes import Changes
+from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
-from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.held import Held, Places, standing
-from trueaxis.compensation.lattice import Stretch, rotary_on_words, stretches
-from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
-from trueaxis.compensation.move_table import MoveTable, follows_at_once
+from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
+from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Setup, Start, Zero
-from trueaxis.compensation.orientation import ToolAxis
-from trueaxis.compensation.path import Path, path_of
-from trueaxis.compensation.placed import Everywhere, Placing
-from trueaxis.compensation.plain_run import PlainRun
-from trueaxis.compensation.point_control import PointControlled
-from trueaxis.compensation.report import CompensationReport
+from trueaxis.compensation.nc_plain import PlainRun
+from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
+from trueaxis.compensation.reliance import Visited
+from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.solve import solve
-from trueaxis.compensation.solve_pose import solve_pose
-from trueaxis.compensation.subdivide import subdivide
+from trueaxis.compensation.solve import ToolAxis, solve, solve_pose
+from trueaxis.compensation.subdivide import Along, PointAlong, PoseAlong, subdivide
 from trueaxis.compensation.tally import Solved, Tally
 from trueaxis.compensation.tools import tool_point_of
-from trueaxis.compensation.tracker import Tracker
-from trueaxis.compensation.travel import note_outside
-from trueaxis.compensation.visited import Visited
+from trueaxis.compensation.tracker import Tracker, acting
 from trueaxis.compensation.writer import BlockWriter
 
 FEW_ROTARY_AXES = (

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.plain_run import PlainRun
+from trueaxis.compensation.nc_plain import PlainRun
 
 _Table = list[tuple[NDArray[np.uint8], NDArray[np.bool_]]]  # by columns: characters, and in which blocks they are
 

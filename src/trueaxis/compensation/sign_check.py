@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.held import Held
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_jacobian, linear_rows
-from trueaxis.compensation.path import Path
+from trueaxis.compensation.path import Held, Path
 
 _SHOWN = 0.00005  # mm, half of the last decimal that is shown
 

@@ -6,25 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.acting import EffectNote
-from trueaxis.compensation.elsewhere import Elsewhere, taken_back
+from trueaxis.compensation.course import Placing
+from trueaxis.compensation.elsewhere import Elsewhere, OffsetUse, offset_use, taken_back
 from trueaxis.compensation.executed import Executed
-from trueaxis.compensation.held import Held, Places
-from trueaxis.compensation.machine import ErrorModel, FloatArray
+from trueaxis.compensation.logs import LineLog, Running
+from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled
 from trueaxis.compensation.moves import Notes, Setup
-from trueaxis.compensation.orientation import ToolAxis, angle
-from trueaxis.compensation.path import Path
-from trueaxis.compensation.placed import Placing
-from trueaxis.compensation.point_control import PointControlled
+from trueaxis.compensation.path import Held, Path, Places
+from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
-from trueaxis.compensation.sensitivity import OffsetUse, offset_use
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import SignChecker, senses_of
-from trueaxis.compensation.solve import Solution
-from trueaxis.compensation.solve_pose import PoseSolution
-from trueaxis.compensation.statistics import LineLog, Running
+from trueaxis.compensation.solve import PoseSolution, Solution, ToolAxis, angle
 from trueaxis.compensation.tools import ToolUse
-from trueaxis.compensation.visited import Visited
+from trueaxis.compensation.tracker import EffectNote
 from trueaxis.compensation.word_choice import bar_error
 
 STAGES = ("before", "solved", "after", "along")

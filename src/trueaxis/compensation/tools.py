@@ -1,11 +1,17 @@
-"""What is known of the tools of a program."""
+"""What is known of the tools of a program, and where it is read from: LinuxCNC's tool.tbl, TOML."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray
+from trueaxis.io.faults import Faults
+from trueaxis.io.input_files import input_bytes, utf8_text
+from trueaxis.io.toml_lines import complainer, parse_toml
+from trueaxis.machine.fields import Fields, shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,3 +66,72 @@ class ToolUse:
     def __str__(self) -> str:
         x, y, z = (value + 0.0 for value in self.tool_point)
         return f"tool {self.number}: the point {x:.9g}, {y:.9g}, {z:.9g} of the tool frame is compensated"
+
+
+LONGEST = 2000.0  # mm; no tool is, and micrometres or a lost decimal point are more
+_LINE = re.compile(r"[ \t]*(?:[A-Z][ \t]*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[ \t]*)+", re.IGNORECASE)
+_ENTRY = re.compile(r"([A-Z])[ \t]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)", re.IGNORECASE)
+_RIGHT = f"a length in mm, up to {LONGEST:g}"
+
+
+def read_tools(path: Path) -> ToolTable:
+    """The tools of a file: TOML, or LinuxCNC's tool.tbl, recognised by the name's extension.
+
+    Raises InputError with every fault of the file.
+    """
+    text, faults = utf8_text(path, input_bytes(path)), Faults(str(path))
+    tools = _from_toml(text, faults) if path.suffix.lower() == ".toml" else _from_table(text, faults)
+    if not tools and not faults.found:
+        faults.add("", "holds no tool", "lines like T1 P1 Z102.5, or TOML tables [tool.1] in a file .toml")
+    faults.raise_if_any()
+    return ToolTable(tools)
+
+
+def _from_toml(text: str, faults: Faults) -> dict[int, Tool]:
+    top = Fields(parse_toml(text, faults), (), complainer(text, faults))
+    tables = top.table("tool", required=True)
+    tools = {}
+    for key in tables.raw:
+        table = tables.table(key)
+        if not re.fullmatch(r"[1-9]\d{0,7}", key):
+            tables.fault(key, "is no number of a tool", "[tool.1]")
+            continue
+        offset, point = _lengths(table, "offset"), _lengths(table, "point")
+        length = 0.0
+        if "length" in table.raw or offset is None:
+            length = table.number("length", _RIGHT) or 0.0
+        if abs(length) > LONGEST:
+            table.fault("length", f"is {length:g}", _RIGHT)
+        table.refuse_others("length, offset, point")
+        tools[int(key)] = Tool(length, offset or (0.0, 0.0, 0.0), point)
+    top.refuse_others("tool")
+    return tools
+
+
+def _lengths(table: Fields, key: str) -> tuple[float, float, float] | None:
+    values = table.numbers(key, 3)
+    if values is None:
+        return None
+    if max(map(abs, values)) > LONGEST:
+        table.fault(key, f"is {shown(list(values))}", f"three lengths in mm, up to {LONGEST:g}")
+    return (values[0], values[1], values[2])
+
+
+def _from_table(text: str, faults: Faults) -> dict[int, Tool]:
+    """LinuxCNC's table, taken in mm: T is the number, X Y Z what G43 adds."""
+    tools: dict[int, Tool] = {}
+    for number, line in enumerate(text.splitlines(), 1):
+        said = line.partition(";")[0]
+        if not said.strip():
+            continue
+        entries = {letter.upper(): float(value) for letter, value in _ENTRY.findall(said)}
+        if not _LINE.fullmatch(said) or "T" not in entries or not 0 <= entries["T"] < 1e8 or entries["T"] % 1:
+            faults.add(f"line {number}", f"{shown(line)} is no line of a tool table", "like T1 P1 Z102.5 D6.0")
+            continue
+        x, y, z = (entries.get(axis, 0.0) for axis in "XYZ")
+        if int(entries["T"]) in tools:
+            faults.add(f"line {number}", f"T{entries['T']:g} is there twice", "one line for each tool")
+        if max(map(abs, (x, y, z))) > LONGEST:
+            faults.add(f"line {number}", f"T{entries['T']:g} is longer than {LONGEST:g} mm", "a table in mm")
+        tools[int(entries["T"])] = Tool(z, (x, y, 0.0))
+    return tools

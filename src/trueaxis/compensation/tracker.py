@@ -1,22 +1,114 @@
-"""Follows the axes through a program, batch by batch, and puts in points where a reversal is to be taken up."""
+"""Effects along a program: which act, which can be compensated and why the others cannot; follows the axes, batch by
+batch, and puts in points where a reversal is to be taken up.
+"""
+
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.acting import Acting
-from trueaxis.compensation.along import Along
-from trueaxis.compensation.course import Course, Standing, since_reversal, turnings
-from trueaxis.compensation.held import Held
+from trueaxis.compensation.course import (
+    ContextModel,
+    Course,
+    OnCourse,
+    Placed,
+    Standing,
+    at_vertices,
+    cruising,
+    ramps,
+    since_reversal,
+    turnings,
+)
 from trueaxis.compensation.lattice import word_steps
-from trueaxis.compensation.machine import FloatArray, linear_rows
-from trueaxis.compensation.move_table import MoveTable
+from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.moves import Kind, Move, Notes
-from trueaxis.compensation.path import Path, path_of
-from trueaxis.compensation.placed import OnCourse, Placed
+from trueaxis.compensation.path import Held, MoveTable, Path, path_of
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.velocity import at_vertices, cruising, ramps
-from trueaxis.effects.placement import FARTHEST
+from trueaxis.compensation.subdivide import Along
+from trueaxis.effects.kind import Effect
+from trueaxis.effects.kind import Kind as EffectKind
+from trueaxis.effects.placement import FARTHEST, REFERENCE_TEMPERATURE, SINCE_REVERSAL, context_of
 from trueaxis.model.context import Context
+from trueaxis.model.model import MachineModel
+
+OF_INSTRUMENT = "an instrument's: no error of the machine"
+NO_TIME = "depends on time: say --time"
+NO_TEMPERATURE = f"temperature taken as {REFERENCE_TEMPERATURE:g} degC; another: --temperature"
+_REVERSALS = ("direction", *SINCE_REVERSAL)
+
+
+@dataclass(frozen=True, slots=True)
+class EffectNote:
+    """What is done about one effect of the machine: whether it is compensated, and how or why not."""
+
+    effect: str
+    compensated: bool
+    how: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Acting:
+    """A machine with those effects that are compensated.
+
+    notes: on all of its effects. reversing: axes whose direction or distance since a reversal an effect depends on.
+    moving: whether an effect depends on velocity, or on
+    the time that motions take. time: s; temperature: degC.
+    """
+
+    model: ContextModel
+    notes: tuple[EffectNote, ...]
+    reversing: tuple[str, ...]
+    moving: bool
+    time: float
+    temperature: float
+
+
+def acting(model: ErrorModel, settings: Settings) -> Acting | None:
+    """The effects of a machine along a program; None where its errors depend on positions alone."""
+    if not isinstance(model, MachineModel) or not model.errors.effects:
+        return None
+    kinds = model.machine.kinds
+    found = [(one, _note(one.effect, kinds[one.effect.kind], settings)) for one in model.errors.effects]
+    kept = tuple(one for one, note in found if note.compensated)
+    reversing: set[str] = set()
+    moving = False
+    for one in kept:
+        for name in context_of(kinds[one.effect.kind]):
+            own = name.removesuffix("_b")
+            if own in _REVERSALS:
+                axis = one.effect.axis if name.endswith("_b") else one.effect.own_axis
+                reversing.add(axis or "")
+            moving |= own in ("v", "d_time")
+    return Acting(
+        model=model.with_values(replace(model.errors, effects=kept)),
+        notes=tuple(note for _, note in found),
+        reversing=tuple(axis for axis in model.axes if axis in reversing),
+        moving=moving,
+        time=settings.time or 0.0,
+        temperature=REFERENCE_TEMPERATURE if settings.temperature is None else settings.temperature,
+    )
+
+
+def _note(effect: Effect, kind: EffectKind, settings: Settings) -> EffectNote:
+    if kind.place in ("reading", "point"):
+        return EffectNote(effect.label, False, OF_INSTRUMENT)
+    used = {name.removesuffix("_b") for name in context_of(kind)}
+    if "t" in used and settings.time is None:
+        return EffectNote(effect.label, False, NO_TIME)
+    how = []
+    if used.intersection(_REVERSALS):
+        how.append("by blocks that take up what a reversal changes")
+    if "v" in used:
+        how.append("at the programmed feed, fading out towards stops and corners")
+    if "d_time" in used and "v" not in used:
+        how.append("at the programmed feed")
+    if "t" in used:
+        how.append(f"{settings.time:g} s after the start")
+    if "T" in used:
+        known = settings.temperature is not None
+        how.append(f"at {settings.temperature:g} degC" if known else NO_TEMPERATURE)
+    return EffectNote(effect.label, True, "; ".join(how) or "by position")
+
 
 # In steps of words: how far an axis that moves in the program, or stands there and is moved by corrections alone, goes
 # back before that is a reversal. Nothing would be gained by taking up play for less than a word.

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.kept_arcs import Piece, plane_of
 from trueaxis.compensation.machine import LINEAR, FloatArray
-from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.moves import Move, Zero
-from trueaxis.compensation.plain_run import PlainRun
+from trueaxis.compensation.nc_plain import PlainRun
+from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.run_text import run_text
 from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.compensation.ends import commanded_ends
+from trueaxis.compensation.files import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import circles, left_um, path_errors, read_wanted
 from trueaxis.demo.study import ESTIMATE, NOISE_UM, PROPOSED, STEPWISE, study, study_text

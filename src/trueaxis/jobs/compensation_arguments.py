@@ -8,11 +8,17 @@ from typing import Any, Literal, TypedDict, cast, get_args, get_origin, get_type
 
 import numpy as np
 
-from trueaxis.compensation.offset_files import read_offsets, with_options
-from trueaxis.compensation.offsets import RIGHT_NAME, Offsets, Range, problem_of, system_name
+from trueaxis.compensation.offsets import (
+    RIGHT_NAME,
+    Offsets,
+    Range,
+    problem_of,
+    read_offsets,
+    system_name,
+    with_options,
+)
 from trueaxis.compensation.settings import Arcs, BlockDelete, Dialect, Integers, Method, Orientation, WordChoice
-from trueaxis.compensation.tool_files import LONGEST, read_tools
-from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.compensation.tools import LONGEST, Tool, ToolTable, read_tools
 from trueaxis.jobs.load import AnyPath
 from trueaxis.machine.machine import AXES
 

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import polars as pl
 
 from trueaxis.compensation.drawn_places import drawn_places
-from trueaxis.compensation.reliance import Judge, Reliance
+from trueaxis.compensation.reliance import Judge, Reliance, Visited
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.visited import Visited
 from trueaxis.jobs.draws import MOST_POINTS, Show, drawn
 from trueaxis.jobs.tables import Tabular
 from trueaxis.measurement.points import TOOL_COLUMNS

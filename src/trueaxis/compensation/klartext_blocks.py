@@ -1,0 +1,278 @@
+"""One block of a Heidenhain Klartext program: its verb, its words and the text around them; what blocks that are no
+path function do to positions; TOOL CALL and TOOL DEF.
+"""
+
+import re
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+from trueaxis.compensation.nc_lexer import NUMBER, decimals_of
+from trueaxis.compensation.settings import MM_PER_INCH
+from trueaxis.compensation.tools import ToolTable
+
+_HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")
+_VERB = re.compile(r"(LP|LN|LT|L|CC|CP|CR|CTP|CT|C)(?=[ \t]|$|[XYZ][-+.0-9])", re.IGNORECASE)
+_AXIS = re.compile(rf"(I?)(PR|PA|[XYZABC])[ \t]*+({NUMBER})(?![\w.])", re.IGNORECASE)
+_DIRECTION = re.compile(r"DR([-+])", re.IGNORECASE)
+_RADIUS = re.compile(r"R([-+](?:\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
+_SIDE = re.compile(r"R[0LR](?![\w.])", re.IGNORECASE)
+_FEED = re.compile(r"F[ \t]*+(?:(MAX|AUTO)|(\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
+_CODE = re.compile(r"M[ \t]*+(\d++)(?![\w.])", re.IGNORECASE)
+_LONG = re.compile(r"(?<![\d.])\d{10,}")
+_BLANK = re.compile(r"[ \t]++")
+MACHINE_COORDINATES = 91
+
+
+class Coordinate(NamedTuple):
+    """value: mm (inch) or deg; incremental: whether it counts from where the axis stands; decimals: written."""
+
+    value: float
+    incremental: bool
+    decimals: int
+
+
+class KlartextBlock(NamedTuple):
+    """A block of the path functions; empty verb: none.
+
+    head: block number and blanks before it; optional: `/` of an optional block; others: the words that are no
+    coordinates, as written; comment: from `;` on. direction: +1 for DR+, -1 for DR-, 0: none. radius: of CR, with sign.
+    feed: mm/min or 0.1 inch/min, None: no F; rapid: FMAX. side: R0, RL, RR or empty. problem: what is wrong with it.
+    """
+
+    verb: str = ""
+    head: str = ""
+    optional: str = ""
+    coordinates: Mapping[str, Coordinate] = MappingProxyType({})
+    direction: int = 0
+    radius: float | None = None
+    feed: float | None = None
+    rapid: bool = False
+    side: str = ""
+    codes: tuple[int, ...] = ()
+    others: tuple[str, ...] = ()
+    comment: str = ""
+    problem: str = ""
+
+
+def head_of(body: str) -> tuple[str, str, str]:
+    """Number and blanks, `/`, and the rest of a block without its comment."""
+    match = _HEAD.match(body)
+    if match is None:
+        return "", "", body
+    return match[1], match[2], body[match.end() :]
+
+
+def too_long(body: str) -> str:
+    """What is wrong with a number of more digits than any machine's, block numbers too; empty if there is none."""
+    found = _LONG.search(body.partition(";")[0])
+    return f"{found[0][:20]}... is no machine's number" if found else ""
+
+
+def lex_klartext(body: str) -> KlartextBlock:
+    """A block of a path function; verb is empty where it is something else."""
+    head, optional, rest = head_of(body)
+    text, sign, comment = rest.partition(";")
+    verb = _VERB.match(text)
+    if verb is None:
+        return KlartextBlock(head=head, optional=optional, comment=sign + comment)
+    coordinates: dict[str, Coordinate] = {}
+    codes: list[int] = []
+    others: list[str] = []
+    direction, radius, feed, rapid, side, problem = 0, None, None, False, "", ""
+    place = verb.end()
+    while place < len(text) and not problem:
+        if found := _BLANK.match(text, place):
+            pass
+        elif found := _AXIS.match(text, place):
+            letter, value = found[2].upper(), float(found[3])
+            if letter in coordinates:
+                problem = f"{letter} occurs twice in the block"
+            coordinates[letter] = Coordinate(value, bool(found[1]), decimals_of(found[3]) or 0)
+        elif found := _DIRECTION.match(text, place):
+            direction = 1 if found[1] == "+" else -1
+        elif found := _SIDE.match(text, place):
+            side = found[0].upper()
+            others.append(found[0])
+        elif found := _RADIUS.match(text, place):
+            radius = float(found[1])
+        elif found := _FEED.match(text, place):
+            rapid = (found[1] or "").upper() == "MAX"
+            feed = float(found[2]) if found[2] else None
+            others.append(found[0])
+        elif found := _CODE.match(text, place):
+            codes.append(int(found[1]))
+            others.append(found[0])
+        else:
+            problem = f"{text[place : place + 20].strip()!r} is no word whose value is in the program"
+            break
+        place = found.end()
+    return KlartextBlock(
+        verb[1].upper(), head, optional, coordinates, direction, radius, feed, rapid, side, tuple(codes),
+        tuple(others), sign + comment, problem,
+    )  # fmt: skip
+
+
+def codes_alone(content: str) -> KlartextBlock | None:
+    """A block of M codes without a path function."""
+    words = content.split()
+    if not words or not all(word[0] in "Mm" and word[1:].isdigit() for word in words):
+        return None
+    return KlartextBlock(codes=tuple(int(word[1:]) for word in words), others=tuple(words))
+
+
+_CYCLE = re.compile(r"CYCLE?[ \t]+DEF[ \t]+(\d+)(?:\.(\d+))?[ \t]*(.*)", re.IGNORECASE)
+_SHIFT = re.compile(rf"(I?)([XYZABC])[ \t]*({NUMBER})[ \t]*", re.IGNORECASE)
+_NUMBERS = re.compile(r"[-+]?\d+\.?\d*|[-+]?\.\d+")
+# begin and end, blank, headings, messages; a label marks a place, and only a call makes something of it
+_TEXT = re.compile(
+    r"(?:BEGIN PGM|BLK FORM|\*|LBL[ \t]*(?:\d+|\".*\")[ \t]*$|PLANE RESET|TOOL DEF[ \t]+\d+[ \t]*$|"
+    r"FUNCTION MODE MILL|FUNCTION FEED|FUNCTION S-PULSE RESET|FUNCTION COUNT|FUNCTION DWELL|PATTERN DEF|"
+    r"SEL TABLE|CALL SELECTED TABLE|\? )",
+    re.IGNORECASE,
+)
+# the tip follows the program, rotary axes turn evenly along each block
+_CONTROL = re.compile(r"FUNCTION[ \t]+(?:(RESET[ \t]+TCPM)|TCPM F TCP AXIS POS PATHCTRL AXIS)", re.IGNORECASE)
+_FAULTY = (
+    (r"CALL LBL", "calls a part of the program"), (r"CALL PGM|PGM CALL|SEL PGM", "calls a program"),
+    (r"CYCLE? CALL", "calls a cycle"), (r"RND", "rounds a corner"), (r"CHF", "bevels a corner"),
+    (r"APPR|DEP", "approaches or leaves a contour"), (r"F[LPC][T]?[ \t]", "is free contour programming"),
+    (r"PLANE", "tilts the plane"), (r"FUNCTION[ \t]*TCPM", "moves the linear axes with the rotary ones"),
+    (r"FN|Q[LRS]?\d", "is a parameter"), (r"TCH PROBE|MEASURE", "probes"), (r"TRANS", "changes the frame"),
+    (r"POLARKIN|FUNCTION PARAXCOMP|FUNCTION PARAXMODE", "changes the kinematics"),
+    (r"LN|LT|CTP|CT", "is a path that is not followed"), (r"TOOL DEF", "gives tool data, which --tools is to give"),
+)  # fmt: skip
+# cycles that move nothing where they are defined: drilling, pockets and the like (called later), dwell, spindle, path
+# tolerance
+_LATER = frozenset({
+    *range(1, 7), 9, 13, 14, 17, 18, *range(20, 26), 27, 28, 29, 32, *range(200, 210), 225, *range(230, 234), 240, 241,
+    *range(251, 259), *range(262, 268), *range(270, 278),
+})  # fmt: skip
+# cycles that change the frame unless all their values are 0 (11: 1)
+_FRAMES = {8: "mirrors", 10: "turns the coordinates", 11: "scales", 26: "scales", 19: "tilts the plane"}
+_DATUM, _PRESET = 7, 247
+_WRITTEN_OUT = "have its motions written out as L and C"
+
+
+class Other(NamedTuple):
+    """What a block asks for. shift: axes and values of a shift of the datum, added where their letter is in added;
+    reset: no shift any more; preset: a point of the preset table; point_control: of the tool, on or off; ends: whether
+    the program ends here; stops: whether the operator may act here. problem, remedy: of a fault.
+    """
+
+    shift: Mapping[str, float] = MappingProxyType({})
+    added: frozenset[str] = frozenset()
+    reset: bool = False
+    preset: str = ""
+    point_control: bool | None = None
+    ends: bool = False
+    stops: bool = False
+    problem: str = ""
+    remedy: str = ""
+
+
+def other_block(text: str) -> Other:
+    """What a block does that is no path function and no TOOL CALL; text: its lines joined, no number, no comment."""
+    text = text.strip()
+    if cycle := _CYCLE.match(text):
+        return _cycle(int(cycle[1]), cycle[3].strip(), text)
+    if halt := re.match(r"(END PGM)|STOP\b", text, re.IGNORECASE):
+        return Other(ends=bool(halt[1]), stops=not halt[1])
+    if match := re.fullmatch(r"TRANS DATUM (RESET|AXIS[ \t]+(.*))", text, re.IGNORECASE):
+        return _shift(match[2]) if match[2] else Other(reset=True)
+    control = _CONTROL.fullmatch(text)
+    if control or not text or _TEXT.match(text):
+        return Other(point_control=control[1] is None if control else None)
+    known = next((what for pattern, what in _FAULTY if re.match(pattern, text, re.IGNORECASE)), "")
+    if known:
+        return Other(problem=f"{text[:20]!r} {known}, which is not followed", remedy=_WRITTEN_OUT)
+    return Other(problem=f"{text[:20]!r} is not known", remedy="only blocks whose effect is known are accepted")
+
+
+def _cycle(number: int, values: str, text: str) -> Other:
+    if number == _DATUM and re.match(r"#|Q|\d", values):
+        return Other(problem=f"{text[:24]!r} takes a shift from a table", remedy="give its values in the block")
+    if number == _DATUM:
+        return _shift(values)
+    if number == _PRESET:
+        preset = re.search(r"Q339[ \t]*=[ \t]*\+?(\d+)", text)
+        return Other(preset=preset[1] if preset else "?")
+    neutral = 1.0 if number in (11, 26) else 0.0
+    changed = re.search(r"Q", values) or (number == 8 and re.search(r"[XYZ]", values))
+    if number in _FRAMES and (changed or any(float(value) != neutral for value in _NUMBERS.findall(values))):
+        return Other(problem=f"{text[:24]!r} {_FRAMES[number]}", remedy=_WRITTEN_OUT)
+    if number in _FRAMES or number in _LATER:
+        return Other()
+    return Other(problem=f"{text[:24]!r} is a cycle that is not followed", remedy=_WRITTEN_OUT)
+
+
+def _shift(values: str) -> Other:
+    """Values of a datum shift, as `X+10` or `IX+10`; words that are no axis name the cycle."""
+    shift, added, place = {}, set(), 0
+    while match := _SHIFT.match(values, place):
+        shift[match[2].upper()] = float(match[3])
+        if match[1]:
+            added.add(match[2].upper())
+        place = match.end()
+    rest = values[place:].strip()
+    if rest and (shift or re.search(r"\d", rest)):
+        return Other(problem=f"{rest[:20]!r} is no value of a datum shift", remedy="as X+10.5")
+    return Other(shift=shift, added=frozenset(added))
+
+
+_CALL = re.compile(r"TOOL[ \t]+CALL\b[ \t]*(.*)", re.IGNORECASE)
+_DEFINITION = re.compile(rf"TOOL[ \t]+DEF[ \t]+(\d+)[ \t]+L[ \t]*({NUMBER})(?:[ \t]+R[ \t]*{NUMBER})?", re.IGNORECASE)
+_SAME = 1e-6  # mm
+NO_DEFINITION = ("no TOOL DEF", "")
+_NUMBER = re.compile(r"\d+(?=[ \t]|$)")
+_WORD = re.compile(
+    r"(?:([XYZUVW])(?=[ \t]|$)|S[ \t]*[\d.]+|F[ \t]*[\d.]+|(D[LR]2?)[ \t]*([-+]?[\d.]+))[ \t]*", re.IGNORECASE
+)
+
+
+class ToolCall(NamedTuple):
+    """tool: its number; None where the call changes speed or feed alone. problems: (problem, remedy) of its words."""
+
+    tool: int | None
+    problems: tuple[tuple[str, str], ...] = ()
+
+
+def tool_call(content: str) -> ToolCall | None:
+    """What a block calls; None if it is no TOOL CALL."""
+    match = _CALL.fullmatch(content.strip())
+    if match is None:
+        return None
+    rest, problems = match[1].strip(), []
+    number = _NUMBER.match(rest)
+    rest = rest[number.end() :].strip() if number else rest
+    while rest:
+        word = _WORD.match(rest)
+        if word is None:
+            problems.append(
+                (f"{rest[:20]!r} in TOOL CALL is not followed", "the number of the tool, its axis, S and F")
+            )
+            break
+        if (word[1] or "Z").upper() != "Z":
+            problems.append((f"the tool axis {word[1]} is not followed", "TOOL CALL with the tool axis Z"))
+        if word[2] and word[2].upper() == "DL" and float(word[3]) != 0.0:
+            problems.append(("DL changes the length of the tool", "the length that results, in --tools"))
+        rest = rest[word.end() :]
+    return ToolCall(int(number[0]) if number else None, tuple(problems))
+
+
+def definition_differs(content: str, tools: ToolTable | None, inch: bool) -> tuple[str, str]:
+    """What is wrong with the length that a block of TOOL DEF gives, and what would be right; empty if nothing is,
+    NO_DEFINITION if it is no such block.
+    """
+    match = _DEFINITION.fullmatch(content.strip())
+    if match is None:
+        return NO_DEFINITION
+    number, length = int(match[1]), float(match[2]) * (MM_PER_INCH if inch else 1.0)
+    tool = None if tools is None else tools.tools.get(number)
+    if tool is not None and abs(tool.shift[2] - length) < _SAME:
+        return "", ""
+    known = "has no such tool" if tool is None else f"says {tool.shift[2]:g}"
+    return (
+        f"TOOL DEF gives tool {number} the length {length:g} mm, and --tools {known}",
+        f"[tool.{number}] with length = {length:g}, and point where that is not its length from the spindle",
+    )

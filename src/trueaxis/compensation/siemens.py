@@ -1,0 +1,150 @@
+"""One block of a SINUMERIK program (840D, 828D, 808D) as words: `X=10.5`, `CR=5`, `X=AC(10)`, and what its keywords and
+calls do to positions.
+"""
+
+import re
+from typing import NamedTuple
+
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.nc_lexer import LARGEST, NUMBER, Block, Meaning, Word, beyond, decimals_of
+
+_BLANK = re.compile(r"[ \t]++")
+_COMMENT = re.compile(r";.*+")
+_LABEL = re.compile(r"[A-Za-z_][A-Za-z0-9_]++:(?!=)[ \t]*+")
+_WAY = re.compile(rf"([XYZABCIJK])[ \t]*+=[ \t]*+(AC|IC)[ \t]*+\([ \t]*+({NUMBER})[ \t]*+\)", re.IGNORECASE)
+_ASSIGNED = re.compile(rf"(CR|[XYZABCIJKFSTDMN])[ \t]*+=[ \t]*+({NUMBER})(?![\w(*/+.$-])", re.IGNORECASE)
+_SPINDLE = re.compile(r"[MS][0-9]{1,2}[ \t]*+=[ \t]*+([0-9]++(?:\.[0-9]*+)?)(?![\w(*/+.$-])", re.IGNORECASE)
+_TOOL_NAME = re.compile(r'T[ \t]*+=[ \t]*+"[^"]*+"', re.IGNORECASE)
+_PLAIN = re.compile(rf"([A-Za-z])[ \t]*+({NUMBER})(?![ \t]*+=)")
+_KEYWORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*+")
+_ARGUMENTS = re.compile(r"[ \t]*+\([^()\"]*+(?:\"[^\"]*+\"[^()\"]*+)*\)")
+_ADIS = re.compile(rf"(?:ADIS|ADISPOS)[ \t]*+=[ \t]*+{NUMBER}", re.IGNORECASE)
+_STATEMENT = re.compile(r"(?:R[0-9]++|\$\w++|[A-Za-z_]\w*+)[ \t]*+(?:\[[^\]]*+\])?[ \t]*+=")
+
+# a spindle's speed and direction: no axis; what a word with another spindle's number may say
+_SPINDLE_CODES = frozenset({"3", "4", "5", "03", "04", "05"})
+ABSOLUTE_WAY, INCREMENTAL_WAY = "AC", "IC"
+TOOL_BY_NAME = "T="
+
+
+class Function(NamedTuple):
+    """A keyword or call in a block, in capitals; arguments: the text in its parentheses, None without any."""
+
+    name: str
+    arguments: str | None
+
+
+class SiemensBlock(NamedTuple):
+    """words: as of a `Block`; functions: keywords and calls; ways: AC or IC of words that have it."""
+
+    block: Block
+    functions: tuple[Function, ...]
+    ways: dict[str, str]
+
+
+def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
+    """Words, keywords and calls of a block; `body` has no line end, reading begins at `begin`."""
+    words: list[Word] = []
+    functions: list[Function] = []
+    ways: dict[str, str] = {}
+    place = begin
+    problem = ""
+    while place < len(body) and not problem:
+        if passed := _BLANK.match(body, place) or _COMMENT.match(body, place) or _ADIS.match(body, place):
+            place = passed.end()
+        elif not functions and (label := _LABEL.match(body, place)):
+            place = label.end()
+        elif (number := _WAY.match(body, place)) and abs(float(number[3])) > LARGEST:
+            problem = beyond(number[1], number[3])
+        elif way := _WAY.match(body, place):
+            ways[way[1].upper()] = way[2].upper()
+            words.append(_word(way[1], way[3], place, way.end()))
+            place = way.end()
+        elif found := _ASSIGNED.match(body, place) or _PLAIN.match(body, place):
+            if abs(float(found[2])) > LARGEST:
+                problem = beyond(found[1], found[2])
+                break
+            words.append(_word("R" if found[1].upper() == "CR" else found[1], found[2], place, found.end()))
+            if found[1].upper() == "R":
+                problem = f"column {place + 1}: R is a parameter on SINUMERIK; the radius of an arc is CR="
+            place = found.end()
+        elif (spindle := _SPINDLE.match(body, place)) and (body[place] in "Ss" or spindle[1] in _SPINDLE_CODES):
+            place = spindle.end()
+        elif named := _TOOL_NAME.match(body, place):
+            functions.append(Function(TOOL_BY_NAME, named[0]))
+            place = named.end()
+        elif _STATEMENT.match(body, place) or not (keyword := _KEYWORD.match(body, place)):
+            problem = f"column {place + 1}: {body[place : place + 20]!r} is no word whose value is in the program"
+        else:
+            arguments = _ARGUMENTS.match(body, keyword.end())
+            functions.append(Function(keyword[0].upper(), arguments[0].strip() if arguments else None))
+            place = arguments.end() if arguments else keyword.end()
+    return SiemensBlock(Block(tuple(words), problem), tuple(functions), ways)
+
+
+def _word(letter: str, number: str, start: int, end: int) -> Word:
+    return Word(letter.upper(), float(number), start, end, decimals_of(number))
+
+
+# dynamics, look-ahead, messages, graphics: nothing of where the axes go
+_HARMLESS = frozenset(
+    """SOFT BRISK SOFTA BRISKA DRIVE DRIVEA FFWON FFWOF STARTFIFO STOPFIFO FIFOCTRL STOPRE CFC CFTCP CFIN DIAMOF UPATH
+    SPATH COMPOF CUT2D CUT2DF NORM KONT ORIWKS ORIMKS ORIAXES ORIVECT ORIVIRT1 DYNNORM DYNPOS DYNROUGH
+    DYNSEMIFIN DYNFINISH MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND LIMS FGROUP FNORM FLIN CPRECOF""".split()
+)
+# modes that let the control round the path within a tolerance of its own, as G64 does
+_ROUNDING = frozenset("COMPON COMPCURV COMPCAD COMPSURF CYCLE832 CUST_832 HIGH_SPEED CYCLE_HSC".split())
+ROUNDS = "the control may round the path within a tolerance of its own here"
+_SHIFTS = {"TRANS": codes.SHIFT_TO, "ATRANS": codes.SHIFT_BY}
+_FRAMES = {"ROT": "turns", "AROT": "turns", "ROTS": "turns", "AROTS": "turns", "SCALE": "scales", "ASCALE": "scales",
+           "MIRROR": "mirrors", "AMIRROR": "mirrors"}  # fmt: skip
+_MACHINE = frozenset({"SUPA"})
+_FAULTY = {
+    "CIP": "is an arc through a middle point", "CT": "is a tangential arc", "INVCW": "is an involute",
+    "INVCCW": "is an involute", "ASPLINE": "is a spline", "BSPLINE": "is a spline", "CSPLINE": "is a spline",
+    "POLY": "is a polynomial", "CYCLE800": "tilts the plane", "TOFRAME": "turns the coordinates",
+    "TRANSMIT": "interpolates on the face",
+    "TRACYL": "interpolates on a cylinder", "TRAANG": "slants an axis",
+    "MCALL": "calls a cycle at every position", "DIAMON": "reads diameters", "DIAM90": "reads diameters",
+    "CUT3DC": "compensates the cutter's radius", "CUT3DF": "compensates the cutter's radius",
+    "G290": "changes the language", "G291": "changes the language",
+    "IF": "is a branch", "ELSE": "is a branch", "ENDIF": "is a branch", "FOR": "is a loop", "WHILE": "is a loop",
+    "LOOP": "is a loop", "REPEAT": "is a loop", "GOTO": "is a jump", "GOTOF": "is a jump", "GOTOB": "is a jump",
+    "GOTOC": "is a jump", "GOTOS": "is a jump", "DEF": "declares a variable", "PROC": "begins a subprogram",
+    "EXTERN": "declares a subprogram", "CALL": "calls a subprogram", "MEAS": "probes", "MEAW": "probes",
+    "POS": "moves an axis by itself", "POSA": "moves an axis by itself",
+}  # fmt: skip
+_WRITTEN_OUT = "have its motions written out as G0, G1, G2 and G3"
+
+
+def take_functions(found: SiemensBlock, meaning: Meaning) -> None:
+    """Take in the keywords of a block before its words; complaints go into its meaning."""
+    for function in found.functions:
+        _take(function, meaning)
+    for letter, way in found.ways.items():
+        meaning.ways[letter] = way == ABSOLUTE_WAY
+
+
+def _take(function: Function, meaning: Meaning) -> None:
+    name, arguments = function
+    if name in _SHIFTS:
+        meaning.data_code = _SHIFTS[name]
+    elif name in _FRAMES:
+        meaning.data_code, meaning.frame = codes.SHIFT_TO, f"{name} {_FRAMES[name]} the coordinates"
+        if name.startswith("A") or arguments is not None:
+            meaning.complain(meaning.frame, codes.MACHINE_REMEDY)
+    elif name in _MACHINE:
+        meaning.codes.add(codes.MACHINE_COORDINATES)
+    elif name in _ROUNDING:
+        meaning.notes.append(f"{name}: {ROUNDS}")
+    elif name == TOOL_BY_NAME:
+        meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
+    elif name in _FAULTY:
+        meaning.complain(f"{name} {_FAULTY[name]}", _WRITTEN_OUT)
+    elif name in ("TRAORI", "TRAFOOF"):
+        meaning.point_control = name == "TRAORI"
+        if arguments not in (None, "()", "(1)"):
+            meaning.complain(f"{name}{arguments} selects another transformation", "TRAORI alone, or TRAORI(1)")
+    elif name not in _HARMLESS:
+        what = "is a cycle or a subprogram" if arguments is not None else "is not known, and may be a subprogram"
+        meaning.complain(f"{name} {what}: its motions are not in the program", _WRITTEN_OUT)
