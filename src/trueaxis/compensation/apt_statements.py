@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import STOP, TOOL_CHANGE, Notes
 from trueaxis.compensation.nc_state import CommandedAxes
@@ -255,8 +256,8 @@ def follow_codes(
     block: str, line: int, commanded: CommandedAxes, settings: Settings, faults: FaultLog, notes: Notes
 ) -> bool:
     """Follow the M codes of a block; returns whether one ends the program."""
-    codes = [int(code) for code in _M_CODE.findall(block)]
-    for code in codes:
+    given = [int(code) for code in _M_CODE.findall(block)]
+    for code in given:
         if problem := codes.problem_of(code, settings.pass_m, settings.dialect):
             faults.add(line, *problem)
         elif codes.vouched_for(code, settings.pass_m):
@@ -267,4 +268,4 @@ def follow_codes(
         elif code in codes.STOPS:
             notes.add(line, STOP)
             commanded.stop()
-    return not codes.END.isdisjoint(codes)
+    return not codes.END.isdisjoint(given)

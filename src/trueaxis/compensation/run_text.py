@@ -44,7 +44,8 @@ def run_text(
     _add_source(columns, run, run.starts[1:] - len(run.eol) - run.tail, run.tail)
     everywhere = np.ones(run.count, dtype=bool)
     columns += [(_same(sign), everywhere) for sign in run.eol]
-    table, kept = (np.empty((run.count, len(columns)), dtype=kind) for kind in (np.uint8, np.bool_))
+    table = np.empty((run.count, len(columns)), dtype=np.uint8)
+    kept = np.empty(table.shape, dtype=np.bool_)
     for number, (signs, there) in enumerate(columns):
         table[:, number], kept[:, number] = signs, there
     return _with_own(table, kept, own)
@@ -78,7 +79,7 @@ def _add_source(columns: _Table, run: PlainRun, first: NDArray[np.int64], length
 def _digits(size: NDArray[np.int64], fewest: int) -> _Table:
     """The digits of whole numbers, the last first, and whether it or one before it is not 0; each as the numbers."""
     most = int(size.max())
-    rest = size.astype(np.uint32 if most < 2**32 else np.uint64)
+    rest: NDArray[np.unsignedinteger] = size.astype(np.uint32 if most < 2**32 else np.uint64)
     out = []
     for _ in range(max(len(str(most)), fewest)):
         before = rest // 10

@@ -39,7 +39,7 @@ class Settings:
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
-    the dialect fixes. pass_m: M codes that the user vouches for, see codes.
+    the dialect fixes. pass_m: M codes that the user vouches for, see nc_codes.
     offsets: work offsets that are known. tools: tools that are known, None: none are. tool: the one in the spindle
     before the program, None: not known. reference_points: machine positions to which `G28` and `G30` go.
     judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
