@@ -117,10 +117,9 @@ class Canon:
         end, centre = [0.0] * 3, [0.0] * 9
         end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
         centre[rows[0]], centre[rows[1]] = c1, c2
-        middle = self.machine(centre)
-        print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], end="")
+        middle, there = self.machine(centre), self.machine([*end, *rest])
+        print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], *there)
         self.at = [sum(parts) for parts in zip([*end, *rest], self.g5x, self.g92, self.tool, strict=True)]
-        print("", *self.machine([*end, *rest]))
         self.stand()
 
     def get_external_length_units(self):
