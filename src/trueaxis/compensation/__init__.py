@@ -2,27 +2,31 @@
 
 A program goes through these stages, a bounded batch of blocks at a time:
 
-    files       bytes of a program <-> lines; the output is put in place whole or not at all
-    nc_reader, apt_reader
+    files       bytes of a program <-> lines; the output is put in place whole or not at all. dialects: what a program
+                says of itself: its language, and the mark by which a compensated one is refused a second time
+    nc_reader, klartext_reader, apt_reader
                 lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_plain
-                (most blocks), nc_block (words -> nc_meaning), nc_modes, nc_frames (work offsets), nc_tools, nc_motion,
-                nc_cycles, nc_reference
+                (most blocks, many at once, by plain_text), nc_lexer (words; siemens for SINUMERIK), nc_block (what they
+                ask for, by nc_codes), nc_modes, nc_frames (work offsets), nc_tools, nc_motion, nc_cycles
+    nc_state    modes in force, and which axes the program has put where they stand (tool changes and stops undo it);
+                the others are held: they get no word, nor does one that was commanded in another frame
     offsets, tools
-                what is known of the control before; offset_files, tool_files read it. frames: what is in force
-    commanded   which axes the program has put where they stand (tool_changes and stops undo it); the others are held:
-                they get no word, nor does one that was commanded in another frame. elsewhere: what that may cost
-    path        moves -> points; arcs become chords within the chord tolerance
-    tracker     with effects: how the axes come and go along it (course, velocity, acting); a point of its own where a
-                reversal makes the commands jump; placed gives the machine at each place
-    subdivide   lines are cut where the errors along them are not straight enough (along)
-    solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would, by the linear axes
-    solve_pose  the same by all axes, the tool axis too (orientation)
-    executed    commands -> words: nearest, or chosen along the ball bar (word_choice, middles)
-    writer      moves -> blocks with new axis words
-    mark        the comment by which a compensated program is known, and refused a second time
-    sensitivity what work offsets that are somewhere else change
-    visited     the places that the program came to; reliance: how far it relies there on what was measured
+                what is known of the control before, and the files that say it. frames: what is in force
+    batches, path
+                moves -> points; arcs become chords within the chord tolerance
+    tracker     with effects: which act, and a point of its own where a reversal makes the commands jump; course: how
+                the axes come and go along the path, and the machine at each place of it
+    subdivide   lines are cut where the errors along them are not straight enough
+    solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would, by the linear axes or,
+                the tool axis too, by all
+    executed    commands -> words (lattice): nearest, or chosen along the ball bar (word_choice); kept_arcs: chords are
+                joined to arcs again
+    writer      moves -> blocks with new axis words; run_text: many at once
+    elsewhere   what axes and work offsets that are somewhere else change
+    reliance    the places that the program came to, and how far it relies there on what was measured
     program     all of it; tally: the figures of the report; sign_check: what to compare with the machine before use
+    via_linuxcnc
+                LinuxCNC's interpreter unrolls a program first (linuxcnc_calls, linuxcnc_blocks, linuxcnc_splines)
 
 Moves are in axis positions (machine coordinates), words in the frame of the program. The solver leaves less than a
 hundredth of the tolerance; what is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of
