@@ -44,7 +44,7 @@ from trueaxis.io.files import OutputFiles
 Language = Literal["nc", "apt"]
 
 LONGEST_LINE = 65536
-_AT_ONCE = 131072  # bytes read: some thousand blocks, which is what a batch takes
+_AT_ONCE = 65536  # bytes read: some thousand blocks, which is what a batch takes
 _ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
 UNROLLED = (
     "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
