@@ -59,6 +59,7 @@ class CommandedAxes:
             known if given == now else min(known, Commanded.BY_INCREMENTS)
             for known, given, now in zip(commanded, self._given, self._frame, strict=True)
         ]
+        self._complete = min(self._known, default=Commanded.ABSOLUTE) == Commanded.ABSOLUTE
         self.linear_complete = self.of(self._linear) == Commanded.ABSOLUTE
         self.unnamed = tuple(row in self._unnamed for row in range(len(commanded))) if self._unnamed else ()
         self.elsewhere = _below(self._known, Commanded.STATED)
@@ -66,8 +67,9 @@ class CommandedAxes:
 
     def enter(self, frame: Sequence[Hashable]) -> None:
         """Positions are given in another frame from now on: for each axis what its offset is made of."""
-        self._frame = frame
-        self._set(self._commanded)
+        if frame != self._frame:
+            self._frame = frame
+            self._set(self._commanded)
 
     def displace(self, rows: Iterable[int] | None = None) -> None:
         """Some axes (None: any) may have moved.
@@ -106,6 +108,8 @@ class CommandedAxes:
 
     def of(self, rows: Iterable[int]) -> Commanded:
         """The least certain of some axes."""
+        if self._complete:
+            return Commanded.ABSOLUTE
         return min((self._known[row] for row in rows), default=Commanded.ABSOLUTE)
 
     def command(self, written: Sequence[bool], absolute: bool) -> tuple[bool, ...]:
