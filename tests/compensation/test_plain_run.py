@@ -13,6 +13,7 @@ from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
 from trueaxis.compensation import nc_plain
 from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.plain_text import plain_text
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.io.faults import InputError
 
@@ -116,3 +117,18 @@ def test_texts_without_a_last_line_end(bench: Bench) -> None:
     text = bench.run("\n".join([*HEAD, *rows]), XyzMachine())
     assert text == "\n".join([*HEAD, *rows]).encode()
     assert bench.report.blocks_in == bench.report.blocks_out - 1 == 43
+
+
+@settings(max_examples=200, deadline=None)
+@given(numbers=st.lists(st.from_regex(r"[-+]?([0-9]{1,8}\.[0-9]{0,7}|\.[0-9]{1,15})", fullmatch=True), min_size=1))
+def test_numbers_are_what_float_makes_of_them(numbers: list[str]) -> None:
+    read = plain_text("".join(f"N1 G1 X{number} F100.\n" for number in numbers), undotted_mm=False)
+    assert read.plain.all()
+    assert read.value.tolist() == [float(number) for number in numbers]
+
+
+def test_a_line_that_is_not_plain_leaves_the_others_as_they_are() -> None:
+    read = plain_text("X1.5 Y-2.\n(text 7)\nX3.\n; 99\nY.5 F20\nG2 X1.\nX1.2.3\nN5\nX4.", undotted_mm=False)
+    assert read.plain.tolist() == [True, False, True, False, True, False, False, False]
+    assert [read.value[slice(*read.first[[k, k + 1]])].tolist() for k in (0, 2, 4)] == [[1.5, -2.0], [3.0], [0.5]]
+    assert (read.lead[4], read.tail[4], read.feed[4]) == (0, 4, 20.0)
