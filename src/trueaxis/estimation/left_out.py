@@ -11,11 +11,12 @@ which counts for AS_MANY readings as everywhere.
 """
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import block_diag, null_space, qr
 
+from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
@@ -25,6 +26,7 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import run_triangle
 from trueaxis.estimation.residuals import residual_of
 from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.state import linearised
 from trueaxis.estimation.tails import log_f_tail
 from trueaxis.measurement.machine import FloatArray
 
@@ -47,17 +49,18 @@ class Far:
     times: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Contradiction:
     """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation;
     zeros_free: the same where their own zeros may be anything; without: (n,), the unknowns as the others tell them,
-    without runs that contradicted them before either.
+    without runs that contradicted them before either; spread: (n, r), a root of their covariance.
     """
 
     runs: Group
     times: float
     zeros_free: float
     without: FloatArray
+    spread: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -92,18 +95,40 @@ def contradictions(fitted: Fitted, posterior: Posterior, continued: Without, sur
             others = _others(fitted.state.runs, wrong)
             members = [one for one in fitted.state.runs if one.rows.index in wrong]
             without = continued(others)
-            expected = without.posterior()
-            far = beside_others(without, expected, members, fitted.scales)
+            wide, expected = widest(without)
+            far = beside_others(wide, expected, members, fitted.scales)
             if far.log_p < -sure:
                 break
         else:
             return found
-        free = beside_others(without, expected, members, fitted.scales, zeros_free=True)
-        found.append(Contradiction(wrong, far.times, free.times, without.state.unknowns))
+        free = beside_others(wide, expected, members, fitted.scales, zeros_free=True)
+        found.append(contradiction(wrong, far, free, wide, expected))
         given_up |= set(wrong)
         groups = [one for one in groups if not given_up & set(one)]
-        fitted, posterior = without, expected
+        fitted, posterior = without, without.posterior()
     return []
+
+
+def widest(without: Fitted) -> tuple[Fitted, Posterior]:
+    """An estimate by the largest sizes and waviest curves that a machine may have, and its posterior: what no run but
+    the one that is left out sees is not known by how smooth all else is.
+    """
+    sizes = without.sizes
+    x = sizes.widest(without.x)
+    expected = posterior_at(sizes, linearised(without.state), x)
+    state = replace(without.state, unknowns=expected.mean * without.state.layout.sizes)
+    return Fitted(state=state, sizes=sizes, x=x), expected
+
+
+def contradiction(runs: Group, far: Far, free: Far, without: Fitted, expected: Posterior) -> Contradiction:
+    """Of runs that are so far from an estimate without them, and so far where zeros are free."""
+    return Contradiction(
+        runs=runs,
+        times=far.times,
+        zeros_free=free.times,
+        without=without.state.unknowns,
+        spread=expected.spread * without.state.layout.sizes[:, np.newaxis],
+    )
 
 
 def _suspects(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> list[Group]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from trueaxis.estimation.evidence import evidence_at
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.left_out import Contradiction, beside_others
+from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.own_part import by_shared, own_part_of
@@ -108,8 +108,7 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
     others = [one for one in fitted.state.runs if one.rows.index not in sure]
     if not {one.instrument for one in fitted.state.runs} <= {one.instrument for one in others}:
         return []
-    without = refit(others)
-    expected = without.posterior()
+    without, expected = widest(refit(others))
     found = []
     for one in fitted.state.runs:
         reading = undone_reading(one, sure[one.rows.index].how) if one.rows.index in sure else None
@@ -119,7 +118,7 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
                 for values in (reading, one.reading)
             )
             if max(undone.log_p, now.log_p) < -SURE:
-                found.append(Contradiction((one.rows.index,), now.times, now.times, without.state.unknowns))
+                found.append(contradiction((one.rows.index,), now, now, without, expected))
     return found
 
 

@@ -99,16 +99,16 @@ def _length(rows: FloatArray, count: int) -> FloatArray:
 
 def moved_without(found: Estimate, tools: Sequence[Vector]) -> tuple[float, float]:
     """RMS over the volume, from home, mm: by how much the tool point moves when runs that contradict the others are
-    left out, and its u; zero and u where none does.
+    left out, and its u by the others alone; zero and u where none does.
     """
     positions = volume(found.layout.model)
-    u = _rms(tool_point(found, positions, tools).u)
     if not found.readings.contradicting:
-        return 0.0, u
-    machine = slice(found.layout.of_machine)
-    change = (found.unknowns - found.readings.contradicting[-1].without)[machine, np.newaxis]
-    moved = moved_by(found.layout, positions, tools, "home") @ change
-    return _rms(_length(moved, positions.shape[1])), u
+        return 0.0, _rms(tool_point(found, positions, tools).u)
+    machine, last = slice(found.layout.of_machine), found.readings.contradicting[-1]
+    by_unknown = moved_by(found.layout, positions, tools, "home")
+    moved = by_unknown @ (found.unknowns - last.without)[machine, np.newaxis]
+    u = by_unknown @ last.spread[machine]
+    return _rms(_length(moved, positions.shape[1])), _rms(_length(u, positions.shape[1]))
 
 
 def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covariance | None = None) -> ToolSummary:

@@ -30,8 +30,8 @@ MOST_RUNS = 10  # that are listed
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contradicting:
     """Runs that contradict the others, the surest first. times: how far the farthest is off, over its noise;
-    zeros_free: the same where zeros may be anything; moved, u: how far the tool point moves without them, and its
-    uncertainty, mm.
+    zeros_free: the same where zeros may be anything; moved, u: how far the tool point moves without them, and how
+    uncertain it is then, mm.
     """
 
     runs: tuple[str, ...]
@@ -54,8 +54,8 @@ class Contradicting:
         return (
             f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} "
             f"standard deviations of what these let expect; without {them} the tool point moves by "
-            f"{self.moved * 1e3:.2g} um in the volume, where u is {self.u * 1e3:.2g} um (are runs swapped, is a "
-            "target, reference, home or ball not where setup.toml says, or does the model lack an "
+            f"{self.moved * 1e3:.2g} um in the volume, which is known to {self.u * 1e3:.2g} um then (are runs "
+            "swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
             "effect? diagnose tells more)"
         )
 
