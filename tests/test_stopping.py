@@ -196,3 +196,42 @@ def test_a_library_that_swallows_the_request_does_not_undo_it() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (143, "")
+
+
+SWALLOWS = """
+import time
+print("loading", flush=True)
+end = time.monotonic() + 1.0
+while time.monotonic() < end:
+    try:
+        time.sleep(0.05)
+    except BaseException:
+        pass
+"""
+LOADS = """
+import sys, time
+from trueaxis.stopping import Stopped, stoppable
+try:
+    with stoppable():
+        import swallows
+        time.sleep(30.0)
+except Stopped as stopped:
+    sys.exit(stopped.code)
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="a signal is raised at once where there are no timers")
+def test_a_signal_that_a_library_would_swallow_as_it_loads_stops_after_that(tmp_path: Path) -> None:
+    (tmp_path / "swallows.py").write_text(SWALLOWS)
+    paths = os.pathsep.join([str(tmp_path), str(ROOT / "src")])
+    process = subprocess.Popen(
+        [sys.executable, "-c", LOADS], env=os.environ | {"PYTHONPATH": paths}, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "loading\n"
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=20.0) == 130
+    finally:
+        process.kill()
+        process.communicate()

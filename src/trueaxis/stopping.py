@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
+_LATER = 0.02  # s, after which it is looked again whether an import has ended
+_IMPORTING = "<frozen importlib"  # file of the frames of Python's imports
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")  # the last is not known to every system
 
 
@@ -21,8 +23,9 @@ def stoppable() -> Iterator[None]:
     """Raise Stopped in this process's main thread at the first signal; later ones do not disturb the clearing up.
 
     Afterwards such signals are ignored: all is done, and Python's own end is not to be interrupted halfway.
-    A signal that was ignored from the start (nohup) stays ignored. A library that is being imported may turn what is
-    raised in it into an error of its own (NumPy: ImportError): after a signal any error is the request to stop.
+    A signal that was ignored from the start (nohup) stays ignored. What is raised in a library that is being imported
+    may be swallowed there, or turned into an error of its own (NumPy: ImportError): where there are timers it is raised
+    after the import, and after a signal any error, and an end as if nothing had been, are the request to stop.
     """
     numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
     numbers = [number for number in numbers if signal.getsignal(number) is not signal.SIG_IGN]
@@ -33,18 +36,40 @@ def stoppable() -> Iterator[None]:
 
     asked: list[int] = []
 
-    def stop(number: int, _: FrameType | None) -> None:
+    def stop(number: int, frame: FrameType | None) -> None:
         ignore()
         asked.append(number)
-        raise Stopped(number)
+        stop_now(number, frame)
+
+    def stop_now(_: int, frame: FrameType | None) -> None:
+        if hasattr(signal, "setitimer") and _imports(frame):
+            signal.setitimer(signal.ITIMER_REAL, _LATER)
+        else:
+            raise Stopped(asked[0])
 
     for number in numbers:
         signal.signal(number, stop)
+    if hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, stop_now)
     try:
         yield
     except Exception:
         if asked:
             raise Stopped(asked[0]) from None
         raise
+    else:
+        if asked:
+            raise Stopped(asked[0])
     finally:
         ignore()
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+
+
+def _imports(frame: FrameType | None) -> bool:
+    """Whether a module is being imported where the program is."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith(_IMPORTING):
+            return True
+        frame = frame.f_back
+    return False
