@@ -43,14 +43,13 @@ def stoppable() -> Iterator[None]:
 
     def stop_now(_: int, frame: FrameType | None) -> None:
         if hasattr(signal, "setitimer") and _imports(frame):
+            signal.signal(signal.SIGALRM, stop_now)
             signal.setitimer(signal.ITIMER_REAL, _LATER)
         else:
             raise Stopped(asked[0])
 
     for number in numbers:
         signal.signal(number, stop)
-    if hasattr(signal, "setitimer"):
-        signal.signal(signal.SIGALRM, stop_now)
     try:
         yield
     except Exception:
@@ -62,7 +61,7 @@ def stoppable() -> Iterator[None]:
             raise Stopped(asked[0])
     finally:
         ignore()
-        if hasattr(signal, "setitimer"):
+        if asked and hasattr(signal, "setitimer"):
             signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 

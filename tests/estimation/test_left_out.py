@@ -1,6 +1,7 @@
 """Runs that contradict the others: by the estimate from all of them, by one without them, and in data with a fault."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -96,6 +97,15 @@ def test_all_readings_say_of_a_run_what_the_others_say(
 def test_readings_as_they_should_be_contradict_nothing(bench: tuple[World, Array]) -> None:
     one, reading = bench
     assert _estimated(one, reading).readings.contradicting == ()
+
+
+@pytest.mark.slow
+def test_a_run_that_alone_sees_curves_less_smooth_than_others_is_no_misfit(tmp_path: Path) -> None:
+    """A probe along Z that alone tells EZB and EZC; data as they should be."""
+    one = world(9009, tmp_path)
+    reading = measure(one.design, draw_machine(one.design.machine, 9009), 9009).reading
+    found = identify_estimated(one.model, replace(one.plan, reading=reading), IdentifyOptions(known=_known(one)))
+    assert found.report.quality.fit.state == "converged"
 
 
 def test_swapped_runs_are_named_and_decide(bench: tuple[World, Array]) -> None:
