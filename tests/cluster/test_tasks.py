@@ -38,8 +38,20 @@ def test_workers_are_processes_that_say_nothing(client: Any, capfd: pytest.Captu
     processes = {one.result[1] for one in found.values()}
     assert len(processes) == 2
     assert os.getpid() not in processes
-    assert by_key(run_tasks(client, [task("e", work.threads)]))["e"].result == "1"
     assert capfd.readouterr() == ("", "")
+
+
+def test_workers_have_an_environment_of_their_own_and_this_process_keeps_its(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("PYTHONSAFEPATH", "PYTHONHASHSEED"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(Path.cwd()), "/elsewhere", ""]))
+    before = dict(os.environ)
+    with client_of(Workers(count=1, memory=MEMORY)) as client:
+        of_worker = by_key(run_tasks(client, [task("e", work.environment)]))["e"].result
+    assert (of_worker["OPENBLAS_NUM_THREADS"], of_worker["PYTHONSAFEPATH"]) == ("1", "1")
+    assert of_worker["PYTHONPATH"] == "/elsewhere"
+    assert dict(os.environ) == before
 
 
 def test_nothing_of_it_is_reached_from_another_computer(client: Any) -> None:

@@ -48,5 +48,5 @@ def raising() -> None:
     raise RuntimeError("this one does not work")
 
 
-def threads() -> str:
-    return os.environ.get("OPENBLAS_NUM_THREADS", "")
+def environment() -> dict[str, str]:
+    return dict(os.environ)

@@ -30,7 +30,7 @@ MEMORY_SHARE = 0.95  # of a worker's memory: from there on it is ended, before t
 
 # OpenBLAS and its like: one thread, as in the command itself; the last digits depend on the number of threads.
 # PYTHONSAFEPATH: a new process imports nothing from the current folder, which holds data. DASK_LOGGING: what a worker
-# says before it is silent.
+# says before it is silent. Threads and import path must be in the environment before a process starts.
 ENVIRONMENT = {
     "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "VECLIB_MAXIMUM_THREADS": "1",
     "PYTHONSAFEPATH": "1", "DASK_LOGGING__DISTRIBUTED": "critical",
@@ -90,18 +90,15 @@ def cores() -> int:
 @contextmanager
 def _embedded_client(count: int, memory: int | None) -> Iterator[Any]:
     """A client of so many workers. memory: bytes of each, None: that of the computer in equal parts."""
-    environment = dict(ENVIRONMENT)
-    if given := os.environ.get("PYTHONPATH"):
-        environment["PYTHONPATH"] = os.pathsep.join(without_current_folder(given.split(os.pathsep)))
     with ExitStack() as stack:
+        stack.enter_context(_workers_environment())
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="trueaxis-", ignore_cleanup_errors=True))
         stack.enter_context(quiet())
         import dask  # noqa: PLC0415  an extra, and half a second
         from distributed import Client, Nanny, Scheduler, SpecCluster  # noqa: PLC0415
         from distributed.system import MEMORY_LIMIT  # noqa: PLC0415
 
-        own = {"distributed.nanny.pre-spawn-environ": environment, "temporary-directory": folder}
-        stack.enter_context(dask.config.set({**_CONFIGURATION, **own}))
+        stack.enter_context(dask.config.set({**_CONFIGURATION, "temporary-directory": folder}))
         share = MEMORY_LIMIT // count
         if memory is None and share < LEAST_MEMORY:
             problem = f"{count} of them have {share / 1e9:.2g} GB of memory each"
@@ -120,6 +117,21 @@ def _embedded_client(count: int, memory: int | None) -> Iterator[Any]:
             raise InputError([Fault("workers", "", f"cannot be started: {error}", remedy)]) from None
         stack.enter_context(cluster)
         yield stack.enter_context(Client(cluster, set_as_default=False))
+
+
+@contextmanager
+def _workers_environment() -> Iterator[None]:
+    """The environment that new processes get, in this process meanwhile; Dask's nannies leave theirs in it for good."""
+    before = dict(os.environ)
+    os.environ.update(ENVIRONMENT)
+    if given := before.get("PYTHONPATH"):
+        os.environ["PYTHONPATH"] = os.pathsep.join(without_current_folder(given.split(os.pathsep)))
+    try:
+        yield
+    finally:
+        for name in os.environ.keys() - before.keys():
+            del os.environ[name]
+        os.environ.update(before)
 
 
 @contextmanager
