@@ -16,12 +16,13 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 Evaluate a test by what its file holds. A positioning test of a linear axis or, with --rotary, of a rotary one by ISO
 230-2:2014 (k = 2): at each target mean deviations, reversal value, standard uncertainty and repeatability; of the axis
-B, R, E, M and A, by direction and for both; beyond 2000 mm or 360 deg one approach of each target may do, which has no
-R and A. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or forward, -1 or backward: how the
-target was approached) and measured, in mm; or a .dat file with TGT_DATA[i], REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A
-circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are made of, by size: squareness, scale
-mismatch, reversal error, lateral play, reversal spikes, servo mismatch, straightness, cyclic error. DATA are tables of
-a ball bar (columns angle, and deviation or radius), a file or a column run for each sense."""
+B, R, E, M and A, by direction and for both, and the figures of VDI/DGQ 3441; beyond 2000 mm or 360 deg one approach of
+each target may do, which has no R and A. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or
+forward, -1 or backward: how the target was approached) and measured, in mm; or a .dat file with TGT_DATA[i],
+REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are
+made of, by size: squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch,
+straightness, cyclic error. DATA are tables of a ball bar (columns angle, and deviation or radius), a file or a column
+run for each sense."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:

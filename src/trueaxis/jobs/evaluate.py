@@ -19,6 +19,8 @@ from trueaxis.evaluation.iso230_4 import report as circular_report
 from trueaxis.evaluation.iso230_4.circular_test import CircularTest, circular_test
 from trueaxis.evaluation.iso230_4.contributions import Contributions, contributions
 from trueaxis.evaluation.iso230_4.figures import CircularFigures, about_centre, circular_figures
+from trueaxis.evaluation.vdi3441 import Vdi3441
+from trueaxis.evaluation.vdi3441 import figures_of as vdi3441_of
 from trueaxis.instrument_files.csv_file import read_csv
 from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
@@ -48,12 +50,17 @@ class EvaluateOptions:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class EvaluatedPositioning(Printed, Tabular):
-    """A positioning test. source: what was evaluated; evaluation: the parameters of the standard, mm. Printed, it is
-    the report of `trueaxis evaluate`.
+    """A positioning test. source: what was evaluated; evaluation: the parameters of the standard, mm or deg. Printed,
+    it is the report of `trueaxis evaluate`.
     """
 
     source: str
     evaluation: Evaluation
+
+    @property
+    def vdi3441(self) -> Vdi3441 | None:
+        """The axis's figures by VDI/DGQ 3441; None of a test with one cycle."""
+        return vdi3441_of(self.evaluation)
 
     def to_polars(self) -> pl.DataFrame:
         """A row for each target, mm: mean deviations, standard uncertainties, reversal value, repeatability."""

@@ -8,12 +8,21 @@ import numpy as np
 
 from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional, departures
 from trueaxis.evaluation.iso230_2.positioning_test import Unit
+from trueaxis.evaluation.vdi3441 import GUIDELINE, SIGMAS, figures_of
 
 CONVENTIONS = {
     "iso": "R = max R_i, R_i = max(2 s_i+ + 2 s_i- + |B_i|, R_i+, R_i-): the standard's, reversal included",
     "unidirectional": "R = max(R+, R-): NOT the standard's, which includes the reversal",
 }
 _COLUMNS = ("i", "P_i", "x_i+", "x_i-", "x_i", "B_i", "s_i+", "s_i-", "R_i+", "R_i-", "R_i")
+_VDI_NAMES = {
+    "P": "positional uncertainty P",
+    "Pa": "positional deviation Pa",
+    "Ps_max": "largest positional scatter Ps",
+    "Ps_mean": "mean positional scatter Ps",
+    "U_max": "largest reversal error U",
+    "U_mean": "mean reversal error U",
+}
 # unit of positions -> factors and units in which deviations are shown, the first one in the table of the targets
 SHOWN: dict[Unit, tuple[tuple[float, str], ...]] = {
     "mm": ((1e3, "um"),),
@@ -51,7 +60,22 @@ def report_text(source: str, evaluation: Evaluation) -> str:
             _axis(factor, "accuracy A", plus.A, minus.A, e.A),
         ]
     lines += ["", CONVENTIONS[e.repeatability]] if e.cycles > 1 else [""]
+    lines += _by_vdi3441(e)
     return "\n".join(lines + [f"note: {note}" for note in notes(e)]) + "\n"
+
+
+def _by_vdi3441(e: Evaluation) -> list[str]:
+    found = figures_of(e)
+    if found is None:
+        return []
+    units = SHOWN[e.unit]
+    lines = [
+        f"\nof the axis by {GUIDELINE}, whose scatter spans {SIGMAS} standard deviations (R above: "
+        f"{2 * COVERAGE_FACTOR})\n{'':<33}" + "".join(f"{small:>10}" for _, small in units)
+    ]
+    for symbol, value in found.named().items():
+        lines.append(f"{_VDI_NAMES[symbol]:<33}" + "".join(_cell(factor * value, 10) for factor, _ in units))
+    return [*lines, ""]
 
 
 def notes(evaluation: Evaluation) -> list[str]:
@@ -67,7 +91,7 @@ def notes(evaluation: Evaluation) -> list[str]:
 
 def report_json(evaluation: Evaluation) -> str:
     """The same as JSON, all in mm, of a rotary axis in deg, and its parameters in arc seconds and urad besides; null
-    where a test of one cycle tells nothing.
+    where a test of one cycle tells nothing. vdi_dgq_3441: the figures of that guideline, of two cycles or more.
     """
     e = evaluation
     tree = {
@@ -93,6 +117,8 @@ def report_json(evaluation: Evaluation) -> str:
         },
         "notes": notes(e),
     }
+    if (by_vdi := figures_of(e)) is not None:
+        tree["vdi_dgq_3441"] = by_vdi.named()
     if e.unit == "deg":
         of_axis = {"B": e.B, "B_mean": e.B_mean, "R": e.R, "E": e.E, "M": e.M, "A": e.A}
         for factor, small in SHOWN["deg"]:
