@@ -8,7 +8,6 @@ A case is a line of JSON in DIR; what is there already is not done again. The wo
 """
 
 import argparse
-import json
 import os
 import sys
 import time
@@ -21,15 +20,11 @@ THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 os.environ.update(dict.fromkeys(THREADS, "1"))  # before NumPy is imported, here and in the processes that are spawned
 
 from tests.worlds.design import draw_design  # noqa: E402
-from tests.worlds.diagnosis.answers import said_by_command, said_of  # noqa: E402
-from tests.worlds.diagnosis.cases import KINDS, MACHINES_APART, bench_of  # noqa: E402
-from tests.worlds.diagnosis.lines import line_of  # noqa: E402
+from tests.worlds.diagnosis.cases import KINDS, MACHINES_APART  # noqa: E402
+from tests.worlds.diagnosis.measuring import ENGINES, measure_worlds, read_lines  # noqa: E402
 from tests.worlds.diagnosis.tables import failures, tables  # noqa: E402
 from trueaxis.cluster.tasks import Task, run_tasks  # noqa: E402
 from trueaxis.cluster.workers import Workers, client_of  # noqa: E402
-
-ENGINES = {"process": said_of, "command": said_by_command}
-A_TURN = 25  # cases of a world before the next one's
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -82,33 +77,6 @@ def on_workers(scheduler: str, work: Sequence[tuple[Any, ...]]) -> bool:
 
 def _readings(seed: int) -> int:
     return draw_design(seed).plan.count
-
-
-def read_lines(folder: Path) -> list[dict[str, object]]:
-    """All cases in all files of a folder, in the order of worlds and cases."""
-    texts = (path.read_text() for path in sorted(folder.glob("cases-*.jsonl")))
-    found = [json.loads(line) for text in texts for line in text.splitlines()]
-    return sorted(found, key=lambda line: (line["world"], line["case"]))
-
-
-def measure_worlds(
-    folder: Path, seeds: Sequence[int], cases: int, only: tuple[str, ...], engine: str, until: float
-) -> None:
-    """Append a line for every case that is not there yet; until: of time.time()."""
-    done = {(line["world"], line["case"]) for line in read_lines(folder)}
-    for start in range(0, cases, A_TURN):
-        for seed in seeds:
-            left = [k for k in range(start, min(start + A_TURN, cases)) if (seed, k) not in done]
-            if not left:
-                continue
-            bench = bench_of(seed)
-            with (folder / f"cases-{seed}.jsonl").open("a") as file:
-                for number in left:
-                    if time.time() > until:
-                        return
-                    line = line_of(bench, number, folder / "worlds" / str(seed), only, ENGINES[engine])
-                    file.write(json.dumps(line) + "\n")
-                    file.flush()
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 """The campaign goes on where it stopped, counts right, and hears the same from process and command."""
 
 import json
+import subprocess
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -9,11 +11,13 @@ from typing import Any
 import pytest
 
 from tests.hidden_effects.power.grade import Name, Said
-from tests.worlds.diagnosis.__main__ import main, read_lines
+from tests.machines import ROOT
+from tests.worlds.diagnosis.__main__ import main
 from tests.worlds.diagnosis.answers import Answer, answer_of, matched, said_by_command, said_of
 from tests.worlds.diagnosis.cases import Bench, bench_of, draw_case
 from tests.worlds.diagnosis.counting import reasons, shares
 from tests.worlds.diagnosis.lines import line_of
+from tests.worlds.diagnosis.measuring import read_lines
 from tests.worlds.diagnosis.tables import failures, tables
 from tests.worlds.diagnosis.values import write_case
 
@@ -117,6 +121,28 @@ def test_a_campaign_goes_on_where_it_stopped(folder: Path) -> None:
     assert [(one["world"], one["case"]) for one in lines] == [(SMALL, 0), (SMALL, 1)]
     assert "1 worlds, 2 cases" in "\n".join(tables(lines))
     assert json.loads(before)["seconds"] > 0.0
+
+
+def test_processes_of_its_own_find_their_work(tmp_path: Path) -> None:
+    """As `python -m` a package is run: what processes are given is looked for by its name. Time is up at once."""
+    words = [
+        "--out",
+        tmp_path / "out",
+        "--worlds",
+        "2",
+        "--first",
+        SMALL,
+        "--cases",
+        "1",
+        "--processes",
+        "2",
+        "--minutes",
+        "0",
+    ]
+    command = [sys.executable, "-m", "tests.worlds.diagnosis", *map(str, words)]
+    done = subprocess.run(command, capture_output=True, check=False, cwd=ROOT, timeout=100)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert len(list((tmp_path / "out").glob("cases-*.jsonl"))) == 2
 
 
 def test_process_and_command_say_the_same(folder: Path, tmp_path: Path) -> None:
