@@ -371,6 +371,72 @@ def test_angles_ask_about_which_axis_and_milliradians_are_not_taken_for_radians(
     assert "target.point" not in told
 
 
+def test_a_table_of_pitch_and_yaw_is_a_run_of_each(tmp_path: Path) -> None:
+    """Simulated, written as an autocollimator's table in two units, and read again."""
+    plan, of_pitch = tmp_path / "plan", ANGLES.replace("yaw", "level-pitch").replace("0.0, 0.0, 1.0", "0.0, 1.0, 0.0")
+    plan.mkdir()
+    (plan / "setup.toml").write_text(of_pitch + ANGLES[ANGLES.index("[[run]]") :].replace("yaw", "level-yaw"))
+    ats = [*sorted(LONG_AXIS), *sorted(LONG_AXIS, reverse=True)]
+    rows = [f"level-{name},{k + 1},{at},40,120," for name in ("pitch", "yaw") for k, at in enumerate(ats)]
+    (plan / "readings.csv").write_text("\n".join(["run,seq,X,Y,Z,reading", *rows]) + "\n")
+    words = ["simulate", DMU60P, "--errors", ERRORS, "--data", plan, "--out", tmp_path / "known", "--kernels", KERNELS]
+    assert main(list(map(str, words))) == 0
+    known = read_data(tmp_path / "known", DMU)
+    per_arcsec, per_um_m = ARM * np.pi / 180.0 / 3600.0, ARM * 1e-6
+    both = known.readings.reading.reshape(2, -1)
+    angles = zip(ats, both[0] / per_arcsec, both[1] / per_um_m, strict=True)
+    lines = [f"{at:g};{pitch:.9f};{yaw:.9f}".replace(".", ",") for at, pitch, yaw in angles]
+    (tmp_path / "level.csv").write_text("\n".join(["Level 7", "Position [mm];Pitch [arcsec];Yaw (µm/m)", *lines]))
+    keys = ["axis=X", "at.Y=40", "at.Z=120", "level-pitch:direction=0,1,0", "level-yaw:direction=0,0,1", "zero=keep"]
+    data = imported(tmp_path / "data", tmp_path / "level.csv", "--map", *keys)
+    assert data.setup.runs == known.setup.runs
+    np.testing.assert_allclose(data.readings.reading, known.readings.reading, atol=1e-9)
+    assert np.abs(both).max(axis=1).min() > 1e-3
+    alone = ["--map", *keys[:3], "direction=0,0,1", "column.reading=Yaw (µm/m)"]
+    (run,) = imported(tmp_path / "one", tmp_path / "level.csv", *alone).setup.runs
+    assert (run.id, run.instrument) == ("level", "angle")
+
+
+@pytest.mark.parametrize(
+    ("head", "value", "urad"),
+    [
+        ("slope [mm/m]", 0.012, 12.0),
+        ("error [urad]", 12.0, 12.0),
+        ("angle [arcsec]", 3.6, 3.6 * np.pi / 0.648),
+        ("deviation_mrad", 0.012, 12.0),
+        ("measured [deg]", 90.001, np.pi / 0.18),
+    ],
+)
+def test_a_column_in_a_unit_of_angles_is_of_an_angle_instrument(
+    tmp_path: Path, head: str, value: float, urad: float
+) -> None:
+    measured = "measured" in head
+    first, unit = (0.0, "deg") if measured else (0, "mm")
+    (tmp_path / "a.csv").write_text(f"target [{unit}],{head}\n0,{first}\n90,{value}\n")
+    spec = DMU60P.with_stem("dmu60p_5axis") if measured else DMU60P
+    keys = ["axis=C", "at.X=0", "at.Z=0", "at.B=0"] if measured else ["axis=X", "at.Z=120", "direction=0,1,0"]
+    out = tmp_path / "data"
+    words = ["import", tmp_path / "a.csv", "--machine", spec, "--out", out, "--map", *keys, "at.Y=0"]
+    assert main(list(map(str, words))) == 0
+    data = read_data(out, machine_at(spec))
+    assert data.setup.runs[0].instrument == "angle"
+    np.testing.assert_allclose(data.readings.reading, [0.0, urad * 1e-6 * ARM], atol=1e-9)
+
+
+def test_angles_and_lengths_are_not_mixed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "a.csv").write_text("target [mm],measured [deg]\n0,0\n90,90.001\n")
+    (tmp_path / "b.csv").write_text("target [mm],pitch\n0,0\n90,3\n")
+    (tmp_path / "c.csv").write_text("target [mm],pitch [um]\n0,0\n90,3\n")
+    words = ["--map", "axis=X", "at.Y=40", "at.Z=120"]
+    assert "are lengths and angles" in refused(tmp_path / "out", capsys, tmp_path / "a.csv", *words)
+    told = refused(tmp_path / "out", capsys, tmp_path / "b.csv", *words)
+    assert "--map unit.reading=urad" in told
+    assert "target.point" not in told
+    assert 'unit "um" is none of its reading; deg, rad,' in refused(
+        tmp_path / "out", capsys, tmp_path / "c.csv", *words
+    )
+
+
 def test_files_of_one_name_get_ids_of_their_own(tmp_path: Path) -> None:
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()

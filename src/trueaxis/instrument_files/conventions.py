@@ -29,6 +29,8 @@ PER_KELVIN = 1e-6  # of what the keys are in
 
 def in_angles(source: InstrumentRun, own: RunKeys) -> InstrumentRun | None:
     """The run with readings in mm at ARM; None where it is open in which unit the file has them, which is noted."""
+    if not source.unit_open:
+        return replace(source, reading=source.reading * ARM)
     unit = own.text("unit.reading", "", "rad", among=tuple(UNITS), default="rad")
     if unit is None:
         return None

@@ -1,9 +1,10 @@
-"""Tables of readings with named columns and units, of a laser, a probe or a ball bar."""
+"""Tables of readings with named columns and units, of a laser, a probe, an angle instrument or a ball bar."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -27,10 +28,11 @@ from trueaxis.measurement.limits import LONGEST_ID
 MOST_FAULTS = 20
 LONGEST_SHOWN = 40
 LINEAR, ROTARY = "xyz", "abc"
+ANGLES = ("pitch", "yaw", "roll", "tilt", "slope")  # names of readings; a table may have several of them
 
 # what a column holds, by the names that headers give it
 NAMES: Mapping[str, tuple[str, ...]] = {
-    "reading": ("reading", "deviation", "error"),
+    "reading": ("reading", "deviation", "error", *ANGLES),
     "measured": ("measured", "actual"),
     "target": ("target", "position", "nominal"),
     "angle": ("angle", "theta"),
@@ -42,47 +44,74 @@ NAMES: Mapping[str, tuple[str, ...]] = {
     "feed": ("feed",),
     "temperature": ("temperature",),
 }
-OF_BALL_BAR = ("angle", "radius")
+OF_BALL_BAR = ("angle", "radius")  # beside a column target `angle` is what was read
+DIFFERENCE = ("measured", "target")  # of which the reading is made where there is no other
 DIRECTIONS = {**dict.fromkeys(POSITIVE, 1), **dict.fromkeys(NEGATIVE, -1), "0": 0}
 ORDER = "rows were read in the order of the file"
 
 
 def read_csv(path: Path, keys: UserKeys, *, ballbar: bool = False) -> tuple[InstrumentRun, ...]:
-    """Read a table, a run for every value of its column `run`. ballbar: of a ball bar, else whatever its columns say.
+    """Read a table, a run for every value of its column `run` and, where it has several of ANGLES, for each of them.
 
-    Raises InputError with every fault of the file; what it does not say is a question in `keys`.
+    ballbar: of a ball bar, else whatever its columns say. Raises InputError with every fault of the file; what it does
+    not say is a question in `keys`.
     """
     table = read_delimited(path)
+    angles = [head.text for head in map(heading, table.header) if head.name in ANGLES]
+    if len(angles) < 2 or keys.of_run(str(path), path.stem).said("column.reading"):
+        return _runs(path, table, keys, ballbar, None)
+    return tuple(run for reading in angles for run in _runs(path, table, keys, ballbar, reading))
+
+
+def _runs(
+    path: Path, table: DelimitedText, keys: UserKeys, ballbar: bool, of_several: str | None
+) -> tuple[InstrumentRun, ...]:
+    """of_several: the head of the column of readings where the table has several."""
     faults = Faults(str(path))
     of_file = keys.of_run(str(path), path.stem)
-    columns = _columns(table, of_file, faults)
-    ballbar = ballbar or any(name in columns for name in OF_BALL_BAR)
+    columns = _columns(table, of_file, faults, of_several)
+    ballbar = ballbar or _of_ball_bar(columns)
+    if not ballbar and "angle" in columns:
+        columns.setdefault("reading", columns.pop("angle"))
     _check(columns, ballbar, faults)
     faults.raise_if_any()
-    numbers = {name: _numbers(table, columns[name], name, of_file, faults) for name in columns if _dimension(name)}
+    scales = {
+        name: _scale(name, columns[name][1], of_file, faults, table, ballbar) for name in columns if _dimension(name)
+    }
+    numbers = {name: _numbers(table, columns[name], scale, faults) for name, (_, scale) in scales.items()}
+    angles = not ballbar and _are_angles(scales, columns, faults)
     ids = _run_ids(table, columns, path.stem, faults)
     directions = _directions(table, columns, faults)
     faults.raise_if_any()
+    instrument: Literal["ballbar", "angle"] | None = "ballbar" if ballbar else "angle" if angles else None
     runs = []
     for name in dict.fromkeys(ids):
         rows = np.array([row for row, of in enumerate(ids) if of == name])
         values = {key: column[rows] for key, column in numbers.items()}
-        one = _run(str(path), name, values, None if directions is None else directions[rows], ballbar)
+        whole = name if of_several is None else f"{name}-{heading(of_several).name}"
+        one = _run(str(path), whole, values, None if directions is None else directions[rows], instrument)
         runs.append(replace(one, assumed=(*one.assumed, *of_file.sentences())))
     return tuple(runs)
 
 
 def is_ball_bar(header: tuple[str, ...]) -> bool:
     """Whether columns of these heads are those of a ball bar."""
-    return any(heading(text).name in NAMES[of] for text in header for of in OF_BALL_BAR)
+    names = [heading(text).name for text in header]
+    return _of_ball_bar({of for of, synonyms in NAMES.items() if not set(synonyms).isdisjoint(names)})
 
 
-def _columns(table: DelimitedText, keys: RunKeys, faults: Faults) -> dict[str, tuple[int, Heading]]:
-    """Which column of the table, and with which unit, holds what."""
+def _of_ball_bar(columns: Collection[str]) -> bool:
+    return "target" not in columns and any(name in columns for name in OF_BALL_BAR)
+
+
+def _columns(
+    table: DelimitedText, keys: RunKeys, faults: Faults, of_several: str | None
+) -> dict[str, tuple[int, Heading]]:
+    """Which column of the table, and with which unit, holds what. of_several: see `_runs`."""
     heads = [heading(text) for text in table.header]
     found: dict[str, tuple[int, Heading]] = {}
     for name, synonyms in NAMES.items():
-        said = keys.said(f"column.{name}")
+        said = keys.said(f"column.{name}") or (of_several if name == "reading" else None)
         matching = [index for index, head in enumerate(heads) if (head.text == said if said else head.name in synonyms)]
         if said and not matching:
             keys.wrong(f"column.{name}", said, f"a column of the header, line {table.header_line}")
@@ -120,10 +149,9 @@ def _dimension(name: str) -> Dimension | None:
     return "angle" if name == "angle" or name in ROTARY else "length"
 
 
-def _numbers(table: DelimitedText, column: tuple[int, Heading], name: str, keys: RunKeys, faults: Faults) -> FloatArray:
+def _numbers(table: DelimitedText, column: tuple[int, Heading], scale: float, faults: Faults) -> FloatArray:
     """A column in mm, deg, s, mm/min or degC, (n,); wrong cells are noted."""
     index, head = column
-    scale = _scale(name, head, keys, faults, table)
     values = np.zeros(len(table.rows))
     wrong = 0
     for row, cells in enumerate(table.rows):
@@ -139,29 +167,56 @@ def _numbers(table: DelimitedText, column: tuple[int, Heading], name: str, keys:
     return values
 
 
-def _scale(name: str, head: Heading, keys: RunKeys, faults: Faults, table: DelimitedText) -> float:
-    dimension = _dimension(name) or "length"
-    unit = head.unit
-    if name == "target" and factor(unit, "angle") is not None:
-        dimension = "angle"  # of a rotary axis
-    if (said := keys.said(f"unit.{name}")) is not None or not unit:
-        default = None if name in ("reading", "measured", "radius") else _usual(name)
-        meaning, right = f"the unit of its column {head.text}", f"one of {units_of(dimension)}"
-        unit = keys.text(f"unit.{name}", meaning, "um" if default is None else default, default=default) or ""
-        if not unit:
-            return 1.0
-        scale = factor(unit, dimension)
-        own = factor(head.unit, dimension) if head.unit else None
-        if scale is None:
-            keys.wrong(f"unit.{name}", said or unit, right)
-        elif own is not None and own != scale:
-            keys.wrong(f"unit.{name}", said or unit, f"the file's own unit, {head.unit}: leave the key out")
-        return scale or 1.0
-    scale = factor(unit, dimension)
-    if scale is None:
-        place = f"line {table.header_line}, column {shown(head.text, LONGEST_SHOWN)}"
-        faults.add(place, f'unit "{shown(unit, LONGEST_SHOWN)}" is none of its {name}', units_of(dimension))
-    return scale or 1.0
+def _scale(
+    name: str, head: Heading, keys: RunKeys, faults: Faults, table: DelimitedText, ballbar: bool
+) -> tuple[Dimension, float]:
+    """Of what the numbers of a column are, and what one of them is in mm, deg, s, mm/min or degC."""
+    may_be = _dimensions(name, head, ballbar)
+    own, right = _of_unit(head.unit, may_be), units_of(*may_be)
+    said = keys.said(f"unit.{name}")
+    if said is None and head.unit:
+        if own is None:
+            place = f"line {table.header_line}, column {shown(head.text, LONGEST_SHOWN)}"
+            faults.add(place, f'unit "{shown(head.unit, LONGEST_SHOWN)}" is none of its {name}', right)
+        return own or (may_be[0], 1.0)
+    default = None if name in ("reading", "measured", "radius") else _usual(name)
+    example = default or ("urad" if may_be == ("angle",) else "um")
+    unit = keys.text(f"unit.{name}", f"the unit of its column {head.text}", example, default=default)
+    if unit is None:
+        return may_be[0], 1.0
+    found = _of_unit(unit, may_be)
+    if found is None:
+        keys.wrong(f"unit.{name}", said or unit, f"one of {right}")
+    elif own is not None and own != found:
+        keys.wrong(f"unit.{name}", said or unit, f"the file's own unit, {head.unit}: leave the key out")
+    return found or (may_be[0], 1.0)
+
+
+def _dimensions(name: str, head: Heading, ballbar: bool) -> tuple[Dimension, ...]:
+    """Of what the numbers of a column may be, the usual first."""
+    if heading(head.text).name in (*ANGLES, "angle"):
+        return ("angle",)
+    usual = _dimension(name) or "length"
+    if name == "target" or (name in ("reading", "measured") and not ballbar):
+        return usual, "angle"  # targets of a rotary axis, readings of an angle instrument
+    return (usual,)
+
+
+def _of_unit(unit: str, may_be: Sequence[Dimension]) -> tuple[Dimension, float] | None:
+    return next(((one, scale) for one in may_be if (scale := factor(unit, one)) is not None), None)
+
+
+def _are_angles(
+    scales: Mapping[str, tuple[Dimension, float]], columns: Mapping[str, tuple[int, Heading]], faults: Faults
+) -> bool:
+    """Whether what was read are angles; positions that are measured must be of what their targets are."""
+    if "reading" in scales:
+        return scales["reading"][0] == "angle"
+    measured, target = (scales[name][0] for name in DIFFERENCE)
+    if measured != target:
+        names = " and ".join(columns[name][1].text for name in DIFFERENCE)
+        faults.add("", f"{names} are lengths and angles: no difference can be taken", "units of one kind")
+    return measured == "angle"
 
 
 def _usual(name: str) -> str:
@@ -198,18 +253,25 @@ def _directions(
 
 
 def _run(
-    file: str, name: str, values: Mapping[str, FloatArray], directions: "np.ndarray | None", ballbar: bool
+    file: str,
+    name: str,
+    values: Mapping[str, FloatArray],
+    directions: "np.ndarray | None",
+    instrument: Literal["ballbar", "angle"] | None,
 ) -> InstrumentRun:
+    ballbar = instrument == "ballbar"
     targets = values.get("target")
     reading = values["reading"] if "reading" in values else values.get("radius")
     if reading is None:
         reading = values["measured"] - values["target"]
+    if instrument == "angle":
+        reading = np.radians(reading)
     if directions is None and targets is not None:
         directions = approach_of_passes(_passes(targets), targets)
     return InstrumentRun(
         file=file,
         id=re.sub(r"\s+", " ", name).strip(),
-        instrument="ballbar" if ballbar else None,
+        instrument=instrument,
         reading=reading,
         whole_length=ballbar and "reading" not in values,
         targets=None if ballbar else targets,

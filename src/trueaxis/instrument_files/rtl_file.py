@@ -71,6 +71,7 @@ def read_rtl(path: Path) -> InstrumentRun:
         targets=targets,
         instrument="angle" if angles else None,
         reading=deviations if angles else deviations * UM,
+        unit_open=angles,
         directions=approach_of_passes(runs.astype(np.int64), targets),
         report={name: content.texts[key] for key, name in _REPORT.items() if content.texts.get(key)},
         assumed=(ORDER,),

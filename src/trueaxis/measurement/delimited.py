@@ -26,13 +26,17 @@ UNITS: dict[str, tuple[Dimension, float]] = {
     "micron": ("length", 1e-3), "microns": ("length", 1e-3), "nm": ("length", 1e-6), "m": ("length", 1e3),
     "in": ("length", 25.4), "inch": ("length", 25.4),
     "deg": ("angle", 1.0), "°": ("angle", 1.0), "rad": ("angle", math.degrees(1.0)),
-    "arcsec": ("angle", 1.0 / 3600.0),
+    "mrad": ("angle", math.degrees(1e-3)), "urad": ("angle", math.degrees(1e-6)), "µrad": ("angle", math.degrees(1e-6)),
+    "μrad": ("angle", math.degrees(1e-6)), "arcmin": ("angle", 1.0 / 60.0), "arcsec": ("angle", 1.0 / 3600.0),
+    # slopes, as levels show them: of a milliradian the tangent is 3e-10 more than the angle
+    "mm/m": ("angle", math.degrees(1e-3)), "um/m": ("angle", math.degrees(1e-6)), "µm/m": ("angle", math.degrees(1e-6)),
+    "μm/m": ("angle", math.degrees(1e-6)),
     "s": ("time", 1.0), "ms": ("time", 1e-3), "min": ("time", 60.0), "h": ("time", 3600.0),
     "mm/min": ("feed", 1.0), "m/min": ("feed", 1e3), "mm/s": ("feed", 60.0),
     "degc": ("temperature", 1.0), "°c": ("temperature", 1.0), "c": ("temperature", 1.0),
 }  # fmt: skip
 _WITH_UNIT = re.compile(r"(.*?)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\)|\s*/\s*(?P<slash>\S+))")
-_SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|arcsec|s|c|mm_min)", re.IGNORECASE)
+_SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|mrad|urad|arcsec|s|c|mm_min)", re.IGNORECASE)
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?")
 
 
@@ -161,9 +165,9 @@ def factor(unit: str, dimension: Dimension) -> float | None:
     return found[1] if found is not None and found[0] == dimension else None
 
 
-def units_of(dimension: Dimension) -> str:
-    """The units of a dimension as a message lists them."""
-    return ", ".join(name for name, (of, _) in UNITS.items() if of == dimension and name.isascii())
+def units_of(*dimensions: Dimension) -> str:
+    """The units of dimensions as a message lists them."""
+    return ", ".join(name for name, (of, _) in UNITS.items() if of in dimensions and name.isascii())
 
 
 def decimal(text: str) -> float | None:

@@ -22,9 +22,10 @@ class InstrumentRun:
     axis: the axis whose positions are `targets`, None where the file does not name it. targets: (n,), mm or deg, None
     where `positions` has all; positions: axis -> (n,), mm or deg; angle: (n,), polar angle of a ball bar in the plane
     of its circle, rad. reading: (n,), mm: a deviation, or the whole length of the bar where `whole_length`; of angles
-    as the file has it, in whichever unit. directions: (n,), direction of approach of the moved axis, 0 where it follows
-    from the order of the rows. time (s), feed (mm/min), temperature (degC): (n,) where the file has them. report: free
-    text for reports. assumed: sentences on what the reader of the file takes for granted.
+    rad, or, where `unit_open`, as in a file that does not say its unit. directions: (n,), direction of approach of the
+    moved axis, 0 where it follows from the order of the rows. time (s), feed (mm/min), temperature (degC): (n,) where
+    the file has them. report: free text for reports. assumed: sentences on what the reader of the file takes for
+    granted.
     """
 
     file: str
@@ -36,6 +37,7 @@ class InstrumentRun:
     positions: Mapping[str, FloatArray] = field(default_factory=dict)
     angle: FloatArray | None = None
     whole_length: bool = False
+    unit_open: bool = False
     directions: DirectionArray | None = None
     time: FloatArray | None = None
     feed: FloatArray | None = None
