@@ -141,7 +141,7 @@ class AptReader:
 
     def _half_unit(self, numbers: Iterable[str]) -> float:
         """Half a unit of the last decimal of the longest of some numbers, mm."""
-        return half_unit(max((decimals_of(number) for number in numbers), default=0), self._inch)
+        return float(half_unit(max((decimals_of(number) for number in numbers), default=0), self._inch))
 
     def _point(self, statement: Statement) -> Vector | None:
         """Point of a GOTO or FROM, mm; checks that the tool axis stays parallel."""

@@ -1,9 +1,9 @@
-"""Circular moves: from words, or a CIRCLE of a cutter location file with the GOTOs along it, to an arc; how far
-rounding alone can put its ends at different radii; from an arc to chords.
+"""Circular moves: from words to an arc, or to many at once, and from a CIRCLE of a cutter location file with the GOTOs
+along it; how far rounding alone can put its ends at different radii.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,7 +16,6 @@ from trueaxis.compensation.settings import MM_PER_INCH
 Vector = tuple[float, float, float]
 
 SAME_POINT = 1e-7  # mm; far below any word, far above the accumulated rounding of incremental positions
-MOST_CHORDS = 200_000
 NEGLIGIBLE = (
     1e-4  # mm: a tenth of what is asked for; radii that differ by less are those of one arc, whatever its words
 )
@@ -37,122 +36,112 @@ class Arc(NamedTuple):
     sweep: float
 
 
-def _cross(a: Vector, b: Vector) -> Vector:
+# In what follows a coordinate may be one number or those of many arcs, (n,).
+Numbers = float | FloatArray
+Point = tuple[Numbers, Numbers, Numbers]
+
+
+def _cross(a: Point, b: Point) -> Point:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def _dot(a: Vector, b: Vector) -> float:
+def _dot(a: Point, b: Point) -> Numbers:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _minus(a: Vector, b: Vector) -> Vector:
+def _minus(a: Point, b: Point) -> Point:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def _across(a: Vector, normal: Vector) -> Vector:
+def _size(a: Point) -> Numbers:
+    return np.hypot(np.hypot(a[0], a[1]), a[2])
+
+
+def _across(a: Point, normal: Point) -> Point:
     """The part of `a` in the plane across `normal`."""
     along = _dot(a, normal)
     return (a[0] - along * normal[0], a[1] - along * normal[1], a[2] - along * normal[2])
 
 
-def sweep_between(start: Vector, end: Vector, centre: Vector, normal: Vector) -> float:
+def sweep_between(start: Point, end: Point, centre: Point, normal: Point) -> FloatArray:
     """Angle in (0, 2 pi] from start to end, counter-clockwise about `normal`; a full turn if they coincide."""
     a = _across(_minus(start, centre), normal)
     b = _across(_minus(end, centre), normal)
-    if math.dist(a, b) <= SAME_POINT:
-        return 2.0 * math.pi
-    angle = math.atan2(_dot(normal, _cross(a, b)), _dot(a, b))
-    return angle if angle > 0.0 else angle + 2.0 * math.pi
+    angle = np.arctan2(_dot(normal, _cross(a, b)), _dot(a, b))
+    angle = np.where(angle > 0.0, angle, angle + 2.0 * math.pi)
+    return np.where(_size(_minus(a, b)) <= SAME_POINT, 2.0 * math.pi, angle)
 
 
-def arc_about(start: Vector, end: Vector, centre: Vector, normal: Vector, allowed: float) -> Arc:
-    """Arc from start to end about a centre (I, J, K words; CIRCLE); allowed: what rounding explains, see arc_rounding.
+def end_radii(start: Point, end: Point, centre: Point, normal: Point) -> tuple[Numbers, Numbers]:
+    """Distance of start and end from the line through the centre."""
+    return _size(_across(_minus(start, centre), normal)), _size(_across(_minus(end, centre), normal))
+
+
+def radii_fit(first: Numbers, last: Numbers, allowed: Numbers) -> NDArray[np.bool_]:
+    """Whether the radii of both ends are those of one arc; allowed: what rounding explains, see allowed_about."""
+    return (np.minimum(first, last) > SAME_POINT) & (np.abs(first - last) <= np.maximum(allowed, NEGLIGIBLE))
+
+
+def arc_about(start: Vector, end: Vector, centre: Vector, normal: Vector, allowed: Numbers) -> Arc:
+    """Arc from start to end about a centre (I, J, K words; CIRCLE); allowed: what rounding explains, see allowed_about.
 
     Raises ArcError when there is no radius or the radii of the ends differ by more than `allowed` mm.
     """
-    first = math.hypot(*_across(_minus(start, centre), normal))
-    last = math.hypot(*_across(_minus(end, centre), normal))
+    first, last = end_radii(start, end, centre, normal)
     if min(first, last) <= SAME_POINT:
         raise ArcError("an arc of radius 0")
-    if not abs(first - last) <= max(allowed, NEGLIGIBLE):
+    if not radii_fit(first, last, allowed):
         raise ArcError(
             f"start and end of the arc lie at different radii, {first:.5f} and {last:.5f} mm; "
             f"rounding of its words explains {allowed:.5f} mm"
         )
-    return Arc(centre, normal, sweep_between(start, end, centre, normal))
+    return Arc(centre, normal, float(sweep_between(start, end, centre, normal)))
 
 
-def arc_of_radius(start: Vector, end: Vector, radius: float, normal: Vector, allowed: float) -> Arc:
-    """Arc from start to end by an R word: at most half a turn for R > 0, at least half for R < 0.
+def half_chord(start: Point, end: Point, normal: Point) -> Numbers:
+    """Half of the way from start to end in the plane of an arc."""
+    return _size(_across(_minus(end, start), normal)) / 2.0
 
-    allowed: what half the chord may be longer than R by rounding, mm; the arc is then half a turn about its middle.
-    Raises ArcError for a full circle (its centre is not determined), R = 0, or ends further apart than that.
+
+def radius_fits(half: Numbers, radius: Numbers, allowed: Numbers) -> NDArray[np.bool_]:
+    """Whether an R word makes an arc over half a chord; allowed: what rounding explains, see allowed_beyond_radius."""
+    return np.asarray(
+        (np.asarray(half) > SAME_POINT) & (np.asarray(radius) != 0.0) & (half - np.abs(radius) <= allowed)
+    )
+
+
+def centre_of_radius(start: Point, end: Point, radius: Numbers, normal: Point) -> Point:
+    """Centre of the arc by an R word: at most half a turn for R > 0, at least half for R < 0; half a turn about the
+    middle where the ends are too far apart.
     """
     chord = _across(_minus(end, start), normal)
-    half = math.hypot(*chord) / 2.0
-    if half <= SAME_POINT:
-        raise ArcError("start and end of an arc by R coincide: its centre is not determined")
-    if radius == 0.0:
-        raise ArcError("an arc of R = 0")
-    if not half - abs(radius) <= allowed:
-        raise ArcError(
-            f"the ends of the arc are {2 * half:.5f} mm apart, more than 2 R = {2 * abs(radius):.5f}; "
-            f"rounding of its words explains {2 * allowed:.5f} mm"
-        )
-    rise = math.copysign(math.sqrt(max(radius * radius - half * half, 0.0)), radius) / (2.0 * half)
+    half = _size(chord) / 2.0
+    rise = np.copysign(np.sqrt(np.maximum(radius * radius - half * half, 0.0)), radius) / (2.0 * half)
     left = _cross(normal, chord)
-    centre = (
+    return (
         start[0] + chord[0] / 2.0 + rise * left[0],
         start[1] + chord[1] / 2.0 + rise * left[1],
         start[2] + chord[2] / 2.0 + rise * left[2],
     )
-    return Arc(centre, normal, sweep_between(start, end, centre, normal))
 
 
-def chord_counts(radius: FloatArray, sweep: FloatArray, tolerance: float) -> NDArray[np.int64]:
-    """Equal chords that stay within `tolerance` mm of arcs: sagitta r (1 - cos(step / 2)), at most a quarter turn."""
-    ratio = np.minimum(tolerance / np.maximum(radius, SAME_POINT), 1.0)
-    step = np.minimum(2.0 * np.arccos(1.0 - ratio), math.pi / 2.0)
-    return np.maximum(np.ceil(sweep / np.maximum(step, 1e-9) - 1e-9), 1.0).astype(np.int64)
+def arc_of_radius(start: Vector, end: Vector, radius: float, normal: Vector, allowed: Numbers) -> Arc:
+    """Arc from start to end by an R word; allowed: what half the chord may be longer than R by rounding, mm.
 
-
-class Chords(NamedTuple):
-    """Ends of the chords of many arcs, one after another: arc index (n,), share of the arc (n,), X Y Z (3, n)."""
-
-    arc: NDArray[np.int64]
-    share: FloatArray
-    points: FloatArray
-
-
-def chords(starts: FloatArray, ends: FloatArray, arcs: Sequence[Arc], tolerance: float) -> Chords:
-    """Cut arcs into chords whose ends lie on them; starts and ends are X Y Z, mm, (3, n_arcs)."""
-    centre = np.array([arc.centre for arc in arcs]).T.reshape(3, -1)
-    normal = np.array([arc.normal for arc in arcs]).T.reshape(3, -1)
-    sweep = np.array([arc.sweep for arc in arcs])
-    rise0 = np.einsum("in,in->n", starts - centre, normal)
-    rise1 = np.einsum("in,in->n", ends - centre, normal)
-    across0 = starts - centre - rise0 * normal
-    across1 = ends - centre - rise1 * normal
-    radius0 = np.sqrt(np.einsum("in,in->n", across0, across0))
-    radius1 = np.sqrt(np.einsum("in,in->n", across1, across1))
-    first = across0 / radius0
-    second = np.cross(normal, first, axis=0)
-    count = chord_counts(np.maximum(radius0, radius1), sweep, tolerance)
-
-    arc = np.repeat(np.arange(len(arcs)), count)
-    number = np.arange(arc.size) - np.repeat(np.cumsum(count) - count, count) + 1
-    share = number / count[arc]
-    angle = share * sweep[arc]
-    radius = radius0[arc] + share * (radius1 - radius0)[arc]
-    rise = rise0[arc] + share * (rise1 - rise0)[arc]
-    points = (
-        centre[:, arc]
-        + radius * (np.cos(angle) * first[:, arc] + np.sin(angle) * second[:, arc])
-        + rise * normal[:, arc]
-    )
-    last = number == count[arc]
-    points[:, last] = ends
-    return Chords(arc, share, points)
+    Raises ArcError for a full circle (its centre is not determined), R = 0, or ends further apart than that.
+    """
+    half = half_chord(start, end, normal)
+    if half <= SAME_POINT:
+        raise ArcError("start and end of an arc by R coincide: its centre is not determined")
+    if radius == 0.0:
+        raise ArcError("an arc of R = 0")
+    if not radius_fits(half, radius, allowed):
+        raise ArcError(
+            f"the ends of the arc are {2 * half:.5f} mm apart, more than 2 R = {2 * abs(radius):.5f}; "
+            f"rounding of its words explains {2 * allowed:.5f} mm"
+        )
+    x, y, z = (float(one) for one in centre_of_radius(start, end, radius, normal))
+    return Arc((x, y, z), normal, float(sweep_between(start, end, (x, y, z), normal)))
 
 
 # Coarser rounding than this is not believed: whole numbers and tenths are what somebody has written exactly.
@@ -167,56 +156,62 @@ class WordRounding(NamedTuple):
     The axis across the plane has 0.
     """
 
-    start: Vector
-    end: Vector
-    centre: float
+    start: Point
+    end: Point
+    centre: Numbers
 
 
-def half_unit(decimals: int, inch: bool) -> float:
+def half_unit(decimals: int | NDArray[np.int64], inch: bool) -> Numbers:
     """Half a unit of the last decimal, mm."""
     if inch:
-        return 0.5 * MM_PER_INCH * 10.0 ** -max(decimals, FEWEST_DECIMALS_INCH)
-    return 0.5 * 10.0 ** -max(decimals, FEWEST_DECIMALS)
+        return 0.5 * MM_PER_INCH * 10.0 ** -np.maximum(decimals, FEWEST_DECIMALS_INCH)
+    return 0.5 * 10.0 ** -np.maximum(decimals, FEWEST_DECIMALS)
 
 
 def rounding_of(
-    in_plane: Sequence[bool], decimals: Mapping[str, int], before: float, absolute: bool, inch: bool
+    in_plane: Sequence[bool], decimals: int | NDArray[np.int64], before: Numbers, absolute: bool, inch: bool
 ) -> WordRounding:
-    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: of its
-    words; before: half a unit of the words that gave the start, mm.
+    """Rounding of an arc's words; in_plane: for X Y Z whether the axis is one of the arc's plane; decimals: the most of
+    its words; before: half a unit of the words that gave the start, mm.
     """
-    unit = half_unit(max(decimals.values(), default=0), inch)
+    unit = half_unit(decimals, inch)
     x, y, z = (float(inside) for inside in in_plane)
     first = before if absolute else 0.0
     return WordRounding((first * x, first * y, first * z), (unit * x, unit * y, unit * z), unit)
 
 
-def allowed_about(start: Vector, end: Vector, centre: Vector, rounding: WordRounding) -> float:
+def allowed_about(start: Point, end: Point, centre: Point, rounding: WordRounding) -> Numbers:
     """Largest difference of the radii of start and end that rounding explains, mm."""
     first, first_radius = _direction(start, centre)
     last, last_radius = _direction(end, centre)
     size = sum(
-        rounding.centre * abs(b - a) + (ds + de) * abs(b)
+        rounding.centre * np.abs(b - a) + (ds + de) * np.abs(b)
         for a, b, ds, de in zip(first, last, rounding.start, rounding.end, strict=True)
     )
-    both = max(rounding.start) + max(rounding.end) + 2.0 * rounding.centre
-    return size + _SECOND_ORDER * both * both / max(min(first_radius, last_radius), both) + _DOUBLES
+    both = _largest(rounding.start) + _largest(rounding.end) + 2.0 * rounding.centre
+    nearest = np.maximum(np.minimum(first_radius, last_radius), both)
+    return size + _SECOND_ORDER * both * both / nearest + _DOUBLES
 
 
-def allowed_beyond_radius(start: Vector, end: Vector, rounding: WordRounding) -> float:
+def allowed_beyond_radius(start: Point, end: Point, rounding: WordRounding) -> Numbers:
     """Largest amount, mm, by which rounding explains that half the chord of an arc by R is longer than R."""
     along, length = _direction(end, start)
-    size = sum(0.5 * (ds + de) * abs(u) for u, ds, de in zip(along, rounding.start, rounding.end, strict=True))
-    both = max(rounding.start) + max(rounding.end)
-    return rounding.centre + size + _SECOND_ORDER * both * both / max(length, both, _DOUBLES) + _DOUBLES
+    size = sum(0.5 * (ds + de) * np.abs(u) for u, ds, de in zip(along, rounding.start, rounding.end, strict=True))
+    both = _largest(rounding.start) + _largest(rounding.end)
+    least = np.maximum(np.maximum(length, both), _DOUBLES)
+    return rounding.centre + size + _SECOND_ORDER * both * both / least + _DOUBLES
 
 
-def _direction(point: Vector, centre: Vector) -> tuple[Vector, float]:
-    x, y, z = (p - c for p, c in zip(point, centre, strict=True))
-    length = math.hypot(x, y, z)
-    if length == 0.0:
-        return (0.0, 0.0, 0.0), 0.0
-    return (x / length, y / length, z / length), length
+def _largest(of: Point) -> Numbers:
+    return np.maximum(np.maximum(of[0], of[1]), of[2])
+
+
+def _direction(point: Point, centre: Point) -> tuple[Point, Numbers]:
+    """Unit vector from the centre to a point, and the distance; 0 where they coincide."""
+    off = _minus(point, centre)
+    length = _size(off)
+    least = np.where(np.asarray(length) > 0.0, length, 1.0)
+    return (off[0] / least, off[1] / least, off[2] / least), length
 
 
 _ROUNDED_AXIS = 1e-6  # a direction of unit length as CL files give it, six decimals

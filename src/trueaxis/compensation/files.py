@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.apt_reader import AptReader
+from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import (
     MARK,
     NAMES,
@@ -28,7 +29,6 @@ from trueaxis.compensation.linuxcnc_blocks import PASSED
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
-from trueaxis.compensation.nc_plain import PlainRun
 from trueaxis.compensation.nc_reader import NcReader
 from trueaxis.compensation.nc_tools import IN_SPINDLE
 from trueaxis.compensation.path import MoveTable
@@ -250,8 +250,7 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
     with program.open(encoding="latin-1", newline="") as file:
         text = "".join("\n" if MARK in line else line for line in file)
         moves = MoveTable([item for item in reader.items([text]) if isinstance(item, Move | PlainRun)], len(axes))
-    for _, move in moves.singles():
-        if move.arc is not None:
-            faults.add(move.line, "is an arc", "chords, as compensate writes them")
+    for line in moves.lines[moves.arcs.index].tolist():
+        faults.add(line, "is an arc", "chords, as compensate writes them")
     faults.raise_if_any()
     return moves.ends if len(moves) else np.zeros((len(axes), 0))

@@ -89,7 +89,7 @@ def arc_of(
     if block.verb == "CP":
         return _turned(block, pole, a, normal)
     flat: Vector = (b[0], b[1], a[2])
-    decimals = {axis: word.decimals for axis, word in block.coordinates.items()}
+    decimals = max((word.decimals for word in block.coordinates.values()), default=0)
     before = half_unit_of([state.numbers[state.row[axis]] for axis in _PLANE], state.inch, None)
     rounding = rounding_of([axis in _PLANE for axis in LINEAR], decimals, before, True, state.inch)
     if block.verb == "CR":

@@ -119,10 +119,10 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
     outside = (positions < low - _ROUNDING) | (positions > high + _ROUNDING)
     if positions is path.points:
         outside &= path.points != path.origins
-    points = np.flatnonzero(outside.any(axis=0))
+    points, lines = np.flatnonzero(outside.any(axis=0)), moves.lines
     for point in points[np.unique(owner[points], return_index=True)[1]]:
         row = int(np.argmax(outside[:, point]))
-        axis, line = model.axes[row], moves[int(owner[point])].line
+        axis, line = model.axes[row], int(lines[owner[point]])
         if faults.unplaced is not None and line >= faults.unplaced:
             return
         faults.add(

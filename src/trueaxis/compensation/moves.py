@@ -155,9 +155,9 @@ class Notes:
         """Note an M code that the user vouches for."""
         self.passed.setdefault(code, LineLog()).add(np.array([line]))
 
-    def add(self, line: int, text: str) -> None:
-        """Note a remark once more."""
-        self.counts[text] += 1
+    def add(self, line: int, text: str, times: int = 1) -> None:
+        """Note a remark once more, or more often."""
+        self.counts[text] += times
         self.first.setdefault(text, line)
 
     def texts(self) -> tuple[str, ...]:

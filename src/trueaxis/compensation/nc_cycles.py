@@ -1,10 +1,10 @@
 """Canned cycles of an NC program, written out as rapids and lines."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from dataclasses import replace
 
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.canned_cycles import (
+from trueaxis.compensation.cycle_blocks import (
     CLEARANCE,
     DWELL,
     FEED,
@@ -12,22 +12,25 @@ from trueaxis.compensation.canned_cycles import (
     RAPID,
     SPINDLE_START,
     SPINDLE_STOP,
-    Cycle,
+    CycleWriter,
+    Hole,
     steps,
-)  # fmt: skip
+)
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import Item, Kind, Move, Notes
+from trueaxis.compensation.moves import Item, Kind, Notes
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block, Meaning, due_at_end
+from trueaxis.compensation.nc_lexer import Block, Meaning
 from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
+from trueaxis.compensation.nc_state import Commanded, Cycle, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
-_OF_CYCLE = frozenset("XYZRQPLK")
-_OUT = frozenset({*codes.CYCLES, 980, 990})  # codes that are not written with the motions
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
 PECKS = f"pecks go back by {CLEARANCE:g} mm, as on LinuxCNC; on other controls a parameter says by how much"
+
+
+class CycleError(Exception):
+    """What is wrong with a block of a cycle, and the remedy."""
 
 
 class CycleReader:
@@ -59,7 +62,7 @@ class CycleReader:
         self._notes.add(number, WRITTEN_OUT)
         if cycle.pecks:
             self._notes.add(number, PECKS)
-        writer = _Writer(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
+        writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
         self._holes(cycle, meaning, writer)
         return writer.finished()
 
@@ -123,8 +126,8 @@ class CycleReader:
         right = {"L", "K"} - meaning.parameters.keys() and count % 1 == 0 and 1 <= count <= MOST_REPEATS
         return int(count) if right else None
 
-    def _levels(self, cycle: Cycle, meaning: Meaning, writer: "_Writer") -> tuple[float, float, float] | None:
-        """R, Z and where the cycle ends, machine coordinates, mm; None after a fault."""
+    def _levels(self, cycle: Cycle, meaning: Meaning) -> tuple[float, float, float]:
+        """R, Z and where the cycle ends, machine coordinates, mm. Raises CycleError where they are not certain."""
         state, row = self._state, self._state.row[self._depth]
         scale = state.scale(self._depth)
         initial = cycle.initial if cycle.frame == self._frame() else None
@@ -135,30 +138,29 @@ class CycleReader:
             on_linuxcnc = self._settings.dialect == "linuxcnc"
             base = state.position[row] if on_linuxcnc else initial
             if base is None or state.commanded.of([row]) < Commanded.BY_INCREMENTS:
-                writer.fault(f"{cycle.name} under G91 from a Z that is not known", "G90, or command Z before")
-                return None
+                raise CycleError(f"{cycle.name} under G91 from a Z that is not known", "G90, or command Z before")
             if meaning.cycle is None and not state.at_initial_level and not on_linuxcnc:
-                writer.fault(f"{cycle.name} goes on under G91 and G99: what R counts from differs by control", "G98")
-                return None
+                raise CycleError(
+                    f"{cycle.name} goes on under G91 and G99: what R counts from differs by control", "G98"
+                )
             r = base + (cycle.r or 0.0) * scale
             bottom = r + (cycle.z or 0.0) * scale
         if not bottom < r or (cycle.pecks and (r - bottom) / (cycle.peck * scale) > MOST_PECKS):
-            writer.fault(f"{cycle.name}: Z is not below R, or Q is too small", "R above Z")
-            return None
+            raise CycleError(f"{cycle.name}: Z is not below R, or Q is too small", "R above Z")
         if state.at_initial_level and initial is None:
-            writer.fault(f"{cycle.name} goes back to a Z that the program has not commanded here (G98)",
-                         "command Z by G90 before, or G99")  # fmt: skip
-            return None
+            raise CycleError(
+                f"{cycle.name} goes back to a Z that the program has not commanded here (G98)",
+                "command Z by G90 before, or G99",
+            )
         return r, bottom, max(initial or r, r) if state.at_initial_level else r
 
-    def _holes(self, cycle: Cycle, meaning: Meaning, writer: "_Writer") -> None:
+    def _holes(self, cycle: Cycle, meaning: Meaning, writer: CycleWriter) -> None:
         """Write the motions of a block."""
-        state = self._state
-        levels = self._levels(cycle, meaning, writer)
-        if levels is None:
+        try:
+            r, bottom, clear = self._levels(cycle, meaning)
+        except CycleError as error:
+            writer.fault(*error.args)
             return
-        r, bottom, clear = levels
-        peck = cycle.peck * state.scale(self._depth)
         for _ in range(self._repeats(meaning) or 1):
             level = self._level()
             if level is not None and level < r:
@@ -167,120 +169,37 @@ class CycleReader:
                 return
             if self._level() != r:
                 writer.go(Kind.RAPID, {self._depth: r})
-            for what, z in steps(cycle.code, r, bottom, clear, peck, bool(cycle.dwell)):
-                if what in (RAPID, FEED):
-                    writer.go(Kind.LINE if what == FEED else Kind.RAPID, {self._depth: z})
+            for what, z in self._steps(cycle, r, bottom, clear):
+                if isinstance(what, str):
+                    writer.say(what)
                 else:
-                    dwell = f"G4{state.gap}P{cycle.dwell}"
-                    writer.say({DWELL: dwell, SPINDLE_STOP: "M5", SPINDLE_START: state.spindle}[what])
+                    writer.go(what, {self._depth: z})
 
+    def _steps(self, cycle: Cycle, r: float, bottom: float, clear: float) -> Iterator[tuple[Kind | str, float]]:
+        """What is done in a hole from R on: motions of the axis that drills, with their ends, and blocks between."""
+        said = {DWELL: f"G4{self._state.gap}P{cycle.dwell}", SPINDLE_STOP: "M5", SPINDLE_START: self._state.spindle}
+        peck = cycle.peck * self._state.scale(self._depth)
+        for what, z in steps(cycle.code, r, bottom, clear, peck, bool(cycle.dwell)):
+            yield (Kind.LINE if what == FEED else Kind.RAPID if what == RAPID else said[what]), z
 
-class _Writer:
-    """Makes the blocks of one block of a cycle."""
+    def further(self) -> Hole | None:
+        """What further holes of the cycle are, by X and Y alone; None where each is to be looked at."""
+        state, cycle = self._state, self._state.cycle
+        if cycle is None or not state.absolute or not cycle.absolute or cycle.inch != state.inch:
+            return None
+        if self._problem(cycle, {"X"}, Meaning()):
+            return None
+        try:
+            r, bottom, clear = self._levels(cycle, Meaning())
+        except CycleError:
+            return None
+        if self._level() != clear:
+            return None
+        down: list[tuple[Kind | str, float]] = [(Kind.RAPID, r)] if clear != r else []
+        return Hole(state.row[self._depth], clear, (*down, *self._steps(cycle, r, bottom, clear)))
 
-    def __init__(
-        self,
-        state: NcState,
-        number: int,
-        body: str,
-        block: Block,
-        eol: str,
-        again: str,
-        assumed: list[float],
-        faults: FaultLog,
-    ) -> None:
-        self._state, self._number, self._assumed, self._faults = state, number, assumed, faults
-        self._eol, self._again = eol or "\n", again
-        if " " in body or "\t" in body:
-            state.gap = " "
-        elif len(block.words) > 1:
-            state.gap = ""
-        self._lead, self._comment, self._last = _kept(body, block, state.gap, again)
-        self._items: list[Item] = []
-        self._wrong = False
-
-    def fault(self, problem: str, remedy: str) -> None:
-        """Note what is wrong."""
-        self._wrong = True
-        self._faults.add(self._number, problem, remedy)
-
-    def finished(self) -> list[Item]:
-        """The blocks."""
-        if self._last and not self._wrong:
-            self.say(self._last)
-        return self._items
-
-    def say(self, text: str) -> None:
-        """A block that moves nothing."""
-        self._items.append(f"{self._again}{text}{self._eol}")
-
-    def across(self, meaning: Meaning) -> bool:
-        """Over the hole, by the X and Y of the block; False after a fault."""
-        if not meaning.axes:
-            return True
-        end = self._state.after(meaning.axes)
-        if None in [end[self._state.row[axis]] for axis in meaning.axes]:
-            self.fault(f"the position of {' '.join(meaning.axes)} is not known here", "G90 G0 in the program first")
-            return False
-        return self.go(Kind.RAPID, {axis: end[self._state.row[axis]] or 0.0 for axis in meaning.axes})
-
-    def go(self, kind: Kind, ends: dict[str, float]) -> bool:
-        """A straight motion of some axes, to machine positions, mm; False after a fault."""
-        state = self._state
-        end = list(state.position)
-        for axis, value in ends.items():
-            end[state.row[axis]] = value
-        written = tuple(axis in ends for axis in state.axes)
-        before = self._faults.count
-        state.motion = int(kind)
-        if kind != Kind.RAPID and (missing := missing_axes(state, state.position, end, set(ends))):
-            state.motion = None
-            if not self._wrong:
-                self.fault(*unknown_position(" ".join(state.axes[row] for row in missing)))
-            return False
-        elsewhere = starts_elsewhere(self._number, state, written, "", self._faults)
-        state.motion = None
-        state.position, state.in_force, state.moved = end, int(kind), True
-        lead = self._lead + ("G1" if kind else "G0") + state.gap
-        held = state.commanded.command(written, state.absolute)
-        self._items.append(
-            Move(
-                self._number,
-                kind,
-                tuple(self._assumed[row] if v is None else v for row, v in enumerate(end)),
-                written,
-                state.absolute,
-                state.inch,
-                lead,
-                self._comment,
-                state.gap,
-                self._eol,
-                "",
-                self._again,
-                passable=False,
-                feed=state.feed_in_minutes,
-                held=held,
-                elsewhere=state.commanded.elsewhere,
-                unnamed=state.commanded.unnamed,
-                shift=state.shift,
-                start_stated=elsewhere,
-            )
-        )
-        self._lead, self._comment = self._again, ""
-        return self._faults.count == before
-
-
-def _kept(body: str, block: Block, gap: str, again: str) -> tuple[str, str, str]:
-    """What stays of a block of a cycle: text before its first motion, comments behind it, words due at the end."""
-    lead: list[str] = []
-    last: list[str] = []
-    comment, place = "", 0
-    for word in block.words:
-        between, place = body[place : word.start].strip(" \t").removeprefix(again), word.end
-        comment += f" {between.strip()}" if between.strip() else ""
-        if word.letter in _OF_CYCLE or (word.letter == "G" and round(word.value * 10) in _OUT):
-            continue
-        (last if due_at_end(word) else lead).append(body[word.start : word.end])
-    comment += f" {body[place:].strip()}" if body[place:].strip() else ""
-    head = gap.join(lead)
-    return again + head + (gap if head else ""), comment, gap.join(last)
+    def note_further(self, number: int, holes: int) -> None:
+        """Note further holes from a line on."""
+        self._notes.add(number, WRITTEN_OUT, holes)
+        if self._state.cycle is not None and self._state.cycle.pecks:
+            self._notes.add(number, PECKS, holes)

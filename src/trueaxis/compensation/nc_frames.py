@@ -48,10 +48,11 @@ class FrameReader:
         return self.changed()
 
     def note_first(self, number: int) -> None:
-        """Note, at a motion, that the work offset in force is not the program's choice."""
+        """Note, at the first motion, that the work offset in force is not the program's choice."""
         frames = self._state.frames
         if not self._said and frames.system and frames.offsets.active is None:
             self._notes.add(number, FIRST)
+            self._said = True
 
     def data(self, number: int, line: str, body: str, block: Block, meaning: Meaning) -> list[Item]:
         """A block whose axis words are data."""

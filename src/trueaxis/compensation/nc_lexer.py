@@ -60,7 +60,7 @@ def lex(body: str, begin: int = 0) -> Block:
             if abs(value) > LARGEST:
                 return Block(tuple(words), beyond(token[2], token[3]))
             words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))
-        elif token[4] and (problem := _active_comment(token[4], bool(words))):
+        elif token[4] and (problem := active_comment(token[4], bool(words))):
             return Block(tuple(words), f"column {place + 1}: {problem}")
         place = token.end()
     return Block(tuple(words), "")
@@ -77,7 +77,7 @@ def decimals_of(number: str) -> int | None:
     return len(part) if dot else None
 
 
-def _active_comment(text: str, after_words: bool) -> str:
+def active_comment(text: str, after_words: bool) -> str:
     """Why a comment could do more than comment; empty if it cannot."""
     if _PYTHON.match(text):
         return "LinuxCNC runs this comment as Python, which is not followed"

@@ -100,14 +100,19 @@ def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None
         state.numbers = [half_unit_of([number], state.inch, integers) if number else None for number in state.numbers]
 
 
+def undotted_decimals(inch: bool, integers: Integers | None) -> int:
+    """Decimals that a number without a decimal point stands for."""
+    return 0 if integers != "least-increment" else 4 if inch else 3
+
+
 def half_unit_of(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
     """Half a unit, mm, of the longest of the numbers that gave positions; 0 where no word did."""
-    undotted = 0 if integers != "least-increment" else 4 if inch else 3
+    undotted = undotted_decimals(inch, integers)
     counts = [
         undotted if (count := decimals_of(number)) is None else count for number in numbers if isinstance(number, str)
     ]
     known = [number for number in numbers if isinstance(number, float)]
-    return max([*known, *([half_unit(max(counts), inch)] if counts else [])], default=0.0)
+    return max([*known, *([float(half_unit(max(counts), inch))] if counts else [])], default=0.0)
 
 
 NOTE = (

@@ -190,7 +190,7 @@ def arc_of_block(
     given = [state.numbers[state.row[axis]] for axis in (first, second)]
     before = half_unit_of(given, state.inch, integers)
     in_plane = [axis != across for axis in LINEAR]
-    rounding = rounding_of(in_plane, meaning.decimals, before, state.absolute, state.inch)
+    rounding = rounding_of(in_plane, max(meaning.decimals.values(), default=0), before, state.absolute, state.inch)
     scale = MM_PER_INCH if state.inch else 1.0
     if meaning.radius is not None:
         if meaning.centre:

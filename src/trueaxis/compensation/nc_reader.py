@@ -9,19 +9,20 @@ import re
 from collections.abc import Iterable, Iterator
 
 from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import STOP, Item, Notes, Start
+from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensation.nc_block import interpret
 from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block, Meaning, lex
+from trueaxis.compensation.nc_lexer import LARGEST, NUMBER, Block, Meaning, lex
 from trueaxis.compensation.nc_modes import ModeReader, switch
 from trueaxis.compensation.nc_motion import MotionReader, to_reference
-from trueaxis.compensation.nc_plain import PLAIN, PlainRun, RunReader, plain_move
+from trueaxis.compensation.nc_runs import RunReader
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_tools import ToolReader
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 from trueaxis.compensation.siemens import lex_siemens, take_functions
 
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
@@ -30,6 +31,15 @@ _NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a pr
 _POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
 _MACHINE_DATA = frozenset({codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE, codes.SET_POSITION, codes.WRITE_DATA})
 AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
+
+
+# the groups are lead, G, X, Y, Z, tail, F, line end
+_PLAIN = re.compile(
+    rf"((?:N\d{{1,9}}+)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
+    rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
+    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
+)
+_STRAIGHT = (Kind.RAPID, Kind.LINE)
 
 
 class NcReader:
@@ -55,15 +65,15 @@ class NcReader:
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
         yield from self._frames.changed()
-        plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
-        runs, number = RunReader(state, undotted_mm), 0
+        plain, state, undotted_mm = _PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
+        runs, number = RunReader(state, self._settings, self._cycles), 0
         for text in texts:
             place = 0
             while place < len(text):
                 run = runs.read(number + 1, text)
                 if run is not None:
-                    yield run
-                    number, place = number + run.count, place + run.source.size
+                    yield run.moves
+                    number, place = number + run.lines, place + run.size
                     continue
                 end = text.find("\n", place) + 1 or len(text)
                 line, number, place = text[place:end], number + 1, end
@@ -171,3 +181,53 @@ class NcReader:
         if meaning.data_code in (codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE):
             return [line, *to_reference(number, meaning, state, self._settings, self._faults, self._notes)]
         return self._frames.data(number, line, body, block, meaning)
+
+
+def plain_move(number: int, line: str, match: re.Match[str], state: NcState, undotted_mm: bool) -> Move | None:
+    """The move of a plain block; None, and nothing changed, if it needs a closer look.
+
+    match: of `_PLAIN`. undotted_mm: whether a number without a decimal point counts mm (or inch).
+    """
+    lead, code, x, y, z, tail, feed, eol = match.groups()
+    motion = state.motion if code is None else int(code)
+    if (
+        motion not in (0, 1)
+        or (code is None and state.in_force != motion)
+        or not state.goes_on_plainly
+        or state.cycle is not None
+        or (x is None and y is None and z is None)
+        or (feed is not None and float(feed) > LARGEST)
+    ):
+        return None
+    position = state.position.copy()
+    rows, numbers, scale, absolute = state.row, state.numbers, MM_PER_INCH if state.inch else 1.0, state.absolute
+    shift = state.shift
+    written = [False] * len(position)
+    for axis, text in (("X", x), ("Y", y), ("Z", z)):
+        if text is None:
+            continue
+        row = rows.get(axis)
+        distance = float(text) * scale
+        if row is None or abs(distance) > LARGEST:
+            return None
+        if "." not in text and distance and not undotted_mm:
+            return None
+        if absolute:
+            position[row] = distance + shift[row] if shift else distance
+        else:
+            position[row] += distance  # type: ignore[operator]  # known, as all axes are
+        written[row] = True
+        numbers[row] = text
+    if " " in line or "\t" in line:
+        state.gap = " "
+    elif sum(written) > 1:
+        state.gap = ""
+    state.motion = state.in_force = motion
+    state.position, state.moved = position, True
+    if feed is not None:
+        state.feed = float(feed) * scale
+    return Move(
+        number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
+        lead, tail, state.gap, eol, line, feed=state.feed_in_minutes, held=state.commanded.held[absolute],
+        elsewhere=state.commanded.elsewhere, shift=shift,
+    )  # fmt: skip

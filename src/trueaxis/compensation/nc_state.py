@@ -9,7 +9,6 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-from trueaxis.compensation.canned_cycles import Cycle
 from trueaxis.compensation.frames import Frames
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
@@ -137,6 +136,35 @@ MODE_NOTES = {
 }
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cycle:
+    """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
+    text of its P word). initial: where the drilling axis was when it began, mm, machine coordinates, None: not
+    known; frame: in which.
+    absolute, inch: how z and r are written.
+    """
+
+    code: int
+    z: float | None = None
+    r: float | None = None
+    peck: float = 0.0
+    dwell: str = ""
+    initial: float | None = None
+    frame: Hashable = None
+    absolute: bool = True
+    inch: bool = False
+
+    @property
+    def name(self) -> str:
+        """G81 and the like."""
+        return f"G{self.code // 10}"
+
+    @property
+    def pecks(self) -> bool:
+        """Whether it drills in steps."""
+        return self.code in (730, 830)
+
+
 @dataclass(slots=True, kw_only=True)
 class NcState:
     """What the blocks read so far have set.
@@ -191,6 +219,13 @@ class NcState:
         """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
         self.shift = self.frames.shift_of_machine if machine else self.frames.shift
         self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
+
+    @property
+    def goes_on_plainly(self) -> bool:
+        """Whether a block of axis words alone is a move, or a hole, from where all axes are known."""
+        return (
+            self.commanded.linear_complete and None not in self.position and self.feed_mode != "time" and not self.ended
+        )
 
     @property
     def feed_in_minutes(self) -> float:

@@ -1,17 +1,16 @@
 """The moves of a batch, by columns, and the points of their path: arcs cut into chords, every point with its block."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
-from typing import overload
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.arcs import chords
+from trueaxis.compensation.columns import NO_ARCS, Arcs, PlainRun, chords
 from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.moves import Kind, Move
-from trueaxis.compensation.nc_plain import PlainRun
 
 Held = NDArray[np.bool_]
 
@@ -41,7 +40,7 @@ def standing(positions: FloatArray, held: Held, previous: FloatArray) -> FloatAr
     return np.where(last >= 0, before, previous[:, None])
 
 
-class MoveTable(Sequence[Move]):
+class MoveTable:
     """Moves one by one and in runs, in order; `axes` of them. items: as they came."""
 
     def __init__(self, items: Sequence[Move | PlainRun], axes: int) -> None:
@@ -56,32 +55,37 @@ class MoveTable(Sequence[Move]):
     def __len__(self) -> int:
         return int(self._firsts[-1])
 
-    @overload
-    def __getitem__(self, index: int) -> Move: ...
-    @overload
-    def __getitem__(self, index: slice) -> list[Move]: ...
-    def __getitem__(self, index: int | slice) -> Move | list[Move]:
-        if isinstance(index, slice):
-            return [self[at] for at in range(*index.indices(len(self)))]
-        at = range(len(self))[index]
-        number = int(np.searchsorted(self._firsts, at, side="right")) - 1
-        part, within = self._parts[number], at - int(self._firsts[number])
-        return part[within] if isinstance(part, list) else part.move(within)
-
-    def __iter__(self) -> Iterator[Move]:
-        for part in self._parts:
-            yield from part if isinstance(part, list) else map(part.move, range(part.count))
-
     def singles(self) -> Iterator[tuple[int, Move]]:
-        """Moves that came one by one, with their indices: arcs, and all that is not plain, are among them."""
+        """Moves that came one by one, with their indices: all that is not plain is among them."""
         for first, part in zip(self._firsts.tolist(), self._parts, strict=False):
             if isinstance(part, list):
                 yield from enumerate(part, first)
 
     def without_arcs(self) -> "MoveTable":
         """The same with lines instead of arcs."""
-        straight = [item._replace(arc=None) if isinstance(item, Move) else item for item in self.items]
+        straight = [
+            item._replace(arc=None) if isinstance(item, Move) else replace(item, arcs=NO_ARCS) for item in self.items
+        ]
         return MoveTable(straight, self._axes)
+
+    @property
+    def arcs(self) -> Arcs:
+        """Those that are arcs."""
+        found = NO_ARCS
+        for first, part in zip(self._firsts.tolist(), self._parts, strict=False):
+            if isinstance(part, list):
+                round_ones = [(index, move, move.arc) for index, move in enumerate(part) if move.arc is not None]
+                of_part = Arcs.of(
+                    [arc for _, _, arc in round_ones],
+                    [index for index, _, _ in round_ones],
+                    [move.round is not None and move.round.centre == "radius" for _, move, _ in round_ones],
+                    [move.round is not None and not any(move.held) for _, move, _ in round_ones],
+                )
+            else:
+                of_part = part.arcs
+            if len(of_part):
+                found = found.and_then(of_part.moved(first))
+        return found
 
     @property
     def ends(self) -> FloatArray:
@@ -95,82 +99,83 @@ class MoveTable(Sequence[Move]):
     @property
     def lines(self) -> NDArray[np.int64]:
         """(n,), of the source."""
-        parts = [
-            np.array([move.line for move in part]) if isinstance(part, list) else part.line + np.arange(part.count)
-            for part in self._parts
-        ]
-        return np.concatenate(parts)
+        return self._column(lambda move: move.line, lambda run: run.line, np.int64)
 
     @property
-    def rapid(self) -> NDArray[np.bool_]:
-        """(n,)."""
-        return self._column(lambda move: move.kind == Kind.RAPID, lambda run: run.kind == Kind.RAPID)
+    def motion(self) -> NDArray[np.int64]:
+        """(n,), `Kind` of each."""
+        return self._column(lambda move: move.kind, lambda run: np.minimum(run.motion, Kind.ARC), np.int64)
+
+    @property
+    def feed(self) -> FloatArray:
+        """(n,), as in Move."""
+        return self._column(lambda move: move.feed, lambda run: run.feed, np.float64)
 
     @property
     def absolute(self) -> NDArray[np.bool_]:
         """(n,)."""
-        return self._column(lambda move: move.absolute, lambda run: run.absolute)
+        return self._column(lambda move: move.absolute, lambda run: run.absolute, np.bool_)
 
     @property
     def inch(self) -> NDArray[np.bool_]:
         """(n,)."""
-        return self._column(lambda move: move.inch, lambda run: run.inch)
+        return self._column(lambda move: move.inch, lambda run: run.inch, np.bool_)
 
     @property
     def start_stated(self) -> NDArray[np.bool_]:
         """(n,)."""
-        return self._column(lambda move: move.start_stated, lambda _: False)
+        return self._column(lambda move: move.start_stated, lambda _: False, np.bool_)
 
     @property
     def passable(self) -> NDArray[np.bool_]:
         """(n,)."""
-        return self._column(lambda move: move.passable, lambda _: True)
+        return self._column(lambda move: move.passable, lambda run: run.passable, np.bool_)
+
+    @property
+    def run_through(self) -> NDArray[np.bool_]:
+        """(n,): the same of their ends, as far as each item says."""
+        return self._column(lambda move: move.passable, lambda run: run.run_through, np.bool_)
 
     @property
     def held(self) -> Held:
         """(n_axes, n)."""
-        return self._flags(lambda move: move.held, lambda run: run.held)
+        return self._flags(lambda item: item.held)
 
     @property
     def elsewhere(self) -> Held:
         """(n_axes, n)."""
-        return self._flags(lambda move: move.elsewhere, lambda _: ())
+        return self._flags(lambda item: item.elsewhere)
 
     @property
     def unnamed(self) -> Held:
         """(n_axes, n)."""
-        return self._flags(lambda move: move.unnamed, lambda _: ())
+        return self._flags(lambda item: item.unnamed if isinstance(item, Move) else ())
 
     @property
     def shift(self) -> FloatArray:
         """Position minus word, (n_axes, n), mm and deg."""
-        return self._rows(lambda move: move.shift, lambda run: run.shift)
+        return self._rows(lambda item: item.shift)
 
-    def _column(self, of_move: Callable[[Move], bool], of_run: Callable[[PlainRun], bool]) -> NDArray[np.bool_]:
-        parts = [
-            np.array([of_move(move) for move in part], dtype=bool)
-            if isinstance(part, list)
-            else np.full(part.count, of_run(part))
-            for part in self._parts
-        ]
-        return np.concatenate(parts)
+    def _column(
+        self, of_move: Callable[[Move], object], of_run: Callable[[PlainRun], object], kind: type
+    ) -> NDArray[Any]:
+        out: NDArray[Any] = np.empty(len(self), dtype=kind)
+        for first, count, part in zip(self._firsts.tolist(), self._counts, self._parts, strict=False):
+            out[first : first + count] = [of_move(move) for move in part] if isinstance(part, list) else of_run(part)
+        return out
 
-    def _flags(
-        self, of_move: Callable[[Move], tuple[bool, ...]], of_run: Callable[[PlainRun], tuple[bool, ...]]
-    ) -> Held:
-        return self._rows(of_move, of_run).astype(bool)
+    def _flags(self, of: Callable[[Move | PlainRun], tuple[bool, ...]]) -> Held:
+        return self._rows(of).astype(bool)
 
-    def _rows(
-        self, of_move: Callable[[Move], tuple[float, ...]], of_run: Callable[[PlainRun], tuple[float, ...]]
-    ) -> FloatArray:
+    def _rows(self, of: Callable[[Move | PlainRun], tuple[float, ...]]) -> FloatArray:
         """(n_axes, n); 0 where a move says nothing."""
         out = np.zeros((self._axes, len(self)))
         for first, count, part in zip(self._firsts.tolist(), self._counts, self._parts, strict=False):
             if not isinstance(part, list):
-                if values := of_run(part):
+                if values := of(part):
                     out[:, first : first + count] = np.array(values)[:, np.newaxis]
                 continue
-            of_moves = [of_move(move) for move in part]
+            of_moves = [of(move) for move in part]
             if any(of_moves):
                 none = (0,) * self._axes
                 out[:, first : first + count] = np.array([values or none for values in of_moves]).T
@@ -182,8 +187,7 @@ def follows_at_once(batch: Sequence[str | Move | PlainRun], moves: MoveTable, af
 
     after: whether a move follows the batch at once that may be run into.
     """
-    passable = moves.passable
-    follows = np.append(passable[1:], after) & passable
+    follows = np.append(moves.passable[1:], after) & moves.run_through
     last = -1
     for item, behind in pairwise(batch):
         if not isinstance(item, str):
@@ -223,9 +227,8 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
     """
     ends = moves.ends
     starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
-    rapid, stated = moves.rapid, moves.start_stated
-    of_index = {index: move.arc for index, move in moves.singles() if move.arc is not None}
-    arcs = np.array(list(of_index), dtype=np.int64)
+    rapid, stated, round_ones = moves.motion == Kind.RAPID, moves.start_stated, moves.arcs
+    arcs = round_ones.index
     if arcs.size == 0:
         starts[:, stated] = np.nan
         return Path(points=ends, origins=starts, owner=np.arange(len(moves)), rapid=rapid, halts=np.zeros_like(rapid))
@@ -240,7 +243,7 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
     cut = chords(
         xyz(starts[:, arcs]),
         xyz(ends[:, arcs]),
-        list(of_index.values()),
+        round_ones,
         chord_tolerance,
     )
     of_arc = arcs[cut.arc]

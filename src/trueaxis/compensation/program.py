@@ -7,21 +7,20 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.batches import Batch, batches
+from trueaxis.compensation.columns import NO_ARCS, PlainRun
 from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
 from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, linear_rows, rotary_rows
-from trueaxis.compensation.moves import Item, Kind, Move, Notes, Setup, Start, Zero
-from trueaxis.compensation.nc_plain import PlainRun
+from trueaxis.compensation.moves import Item, Kind, Notes, Setup, Start, Zero
 from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import ToolAxis, solve, solve_pose
-from trueaxis.compensation.subdivide import Along, PointAlong, PoseAlong, subdivide
+from trueaxis.compensation.subdivide import Along, Batch, PointAlong, PoseAlong, batches, subdivide
 from trueaxis.compensation.tally import Solved, Tally
 from trueaxis.compensation.tools import tool_point_of
 from trueaxis.compensation.tracker import Tracker, acting
@@ -132,15 +131,17 @@ class Compensator:
         moves = MoveTable([item for item in batch.items if not isinstance(item, str)], len(self._model.axes))
         if not len(moves):
             return "".join(item for item in batch.items if isinstance(item, str))
-        start, self._programmed = self._programmed, np.array(moves[-1].end)
+        start, self._programmed = self._programmed, moves.ends[:, -1]
         if self._faults.count:  # moves may be missing: where arcs would start is not known
             moves = moves.without_arcs()
         path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
         note_outside(moves, path, self._model, self._tool_point, self._faults)
         if self._faults.count:
             return ""
-        after = batch.following.move(0) if isinstance(batch.following, PlainRun) else batch.following
-        follows = follows_at_once(batch.items, moves, after is not None and after.passable)
+        ahead = batch.following
+        first = ahead.part(0, 1) if isinstance(ahead, PlainRun) else ahead
+        after = None if first is None else MoveTable([first], len(self._model.axes))
+        follows = follows_at_once(batch.items, moves, after is not None and bool(after.passable[0]))
         of_moves = iter(self._compensated(moves, start, path, follows, after))
         return "".join(item if isinstance(item, str) else next(of_moves) for item in batch.items)
 
@@ -150,11 +151,11 @@ class Compensator:
         start: FloatArray,
         path: Path,
         follows: NDArray[np.bool_],
-        following: Move | None,
+        following: MoveTable | None,
     ) -> list[str]:
         settings, tool_point, axes = self._settings, self._tool_point, self._model.axes
-        if np.isnan(start).any() and moves[0].kind != Kind.RAPID:
-            self._notes.add(moves[0].line, "a feed motion from an unknown position: only its end is compensated")
+        if np.isnan(start).any() and moves.motion[0] != Kind.RAPID:
+            self._notes.add(int(moves.lines[0]), "a feed motion from an unknown position: only its end is compensated")
         self._note_turns(moves, start)
         placing: Placing = Everywhere(self._model)
         if self._tracker is not None:
@@ -184,7 +185,7 @@ class Compensator:
         done = joined(parts)
         before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
-            moves.singles() if self._arcs_stay else (), path.owner[done.point], done.positions,
+            moves.arcs if self._arcs_stay else NO_ARCS, path.owner[done.point], done.positions,
             solved.linear.commands, before, steps[:, done.point], axes, settings,
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
@@ -218,9 +219,10 @@ class Compensator:
 
     def _note_held(self, moves: MoveTable, held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
-        for index in np.flatnonzero(held.any(axis=0)).tolist():
+        waiting = np.flatnonzero(held.any(axis=0))
+        for index, line in zip(waiting.tolist(), moves.lines[waiting].tolist(), strict=True):
             names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
-            self._notes.add(moves[index].line, f"{names} {HELD}")
+            self._notes.add(line, f"{names} {HELD}")
 
     def _refuse_cuts(self, moves: MoveTable, owner: NDArray[np.int64]) -> None:
         """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""
@@ -242,9 +244,8 @@ class Compensator:
         ends = moves.ends
         way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
         alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
-        for index in np.flatnonzero(alone).tolist():
-            if moves[index].kind == Kind.LINE:
-                self._notes.add(moves[index].line, TURNS_ALONE)
+        for line in moves.lines[alone & (moves.motion == Kind.LINE)].tolist():
+            self._notes.add(line, TURNS_ALONE)
 
     def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel, held: Held) -> Solved:
         """Solve with the rotary positions that their words can name; held axes stay."""

@@ -1,15 +1,23 @@
-"""Cuts straight motions where the errors along them are not straight enough."""
+"""Divides a program: into batches of about as many points, so that its length does not matter to memory, and straight
+motions where the errors along them are not straight enough.
+"""
 
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import MOST_CHORDS, PlainRun, chord_counts
 from trueaxis.compensation.course import Placing
-from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows
+from trueaxis.compensation.moves import Item, Move, Setup, Start, Zero
 from trueaxis.compensation.path import Path
+from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import ToolAxis, angle
 
 
@@ -165,3 +173,69 @@ def _cut(path: Path, placing: Placing, owner: NDArray[np.int64], share: FloatArr
     return Path(
         points=points, origins=origins, owner=path.owner[motion], rapid=path.rapid[motion], halts=path.halts[motion]
     ), placing.cut(motion, low, high)
+
+
+class Batch(NamedTuple):
+    """following: the move after the batch, if one follows at once; between: what is said after it, if anything."""
+
+    items: list[str | Move | PlainRun]
+    following: Move | PlainRun | None = None
+    between: Start | Zero | Setup | None = None
+
+
+def batches(
+    items: Iterable[Item | PlainRun], axes: tuple[str, ...], settings: Settings, faults: FaultLog
+) -> Iterator[Batch]:
+    """The items of a program; faults of arcs of too many chords."""
+    batch: list[str | Move | PlainRun] = []
+    load = 0.0  # points: moves may be cut as finely as they are probed
+    last: tuple[float, ...] | None = None
+    most = settings.batch_points
+    for whole in items:
+        for item, points in _parts_of(whole, max(most - load, 1.0), axes, settings, faults):
+            if load >= most:
+                yield Batch(batch, item if isinstance(item, Move | PlainRun) else None)
+                batch, load = [], 0.0
+            if isinstance(item, Start | Zero | Setup):
+                yield Batch(batch, between=item)
+                batch, load = [], 0.0
+                continue
+            batch.append(item)
+            load += points
+            if isinstance(item, Move):
+                if item.kind and last is not None:
+                    load += math.dist(last, item.end) / PROBE_SPACING
+                last = item.end
+            elif isinstance(item, PlainRun):
+                last = tuple(item.ends[:, -1].tolist())
+    yield Batch(batch)
+
+
+def _parts_of(
+    item: Item | PlainRun, room: float, axes: tuple[str, ...], settings: Settings, faults: FaultLog
+) -> Iterator[tuple[Item | PlainRun, float]]:
+    """An item, a run in parts of as many points as a batch has, and about how many points each takes; room: points
+    until the batch has as many.
+    """
+    if isinstance(item, PlainRun):
+        rows = [axes.index(axis) for axis in LINEAR if axis in axes]
+        chords = item.chords(rows, settings.chord_tolerance)
+        few = chords <= MOST_CHORDS
+        for line, count in zip(item.line[item.arcs.index[~few]].tolist(), chords[~few].tolist(), strict=True):
+            faults.add(line, *_too_many(count))
+        run = item if few.all() else replace(item, arcs=item.arcs.some(few))  # only to read on
+        loads = run.loads(None, PROBE_SPACING, chords[few])
+        yield from run.parts(loads, settings.batch_points, room)
+    elif isinstance(item, Move) and item.arc is not None:
+        at = dict(zip(axes, item.end, strict=True))
+        radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], item.arc.centre)  # with its rise; a bound
+        count = int(chord_counts(np.array(radius), np.array(item.arc.sweep), settings.chord_tolerance))
+        if count > MOST_CHORDS:
+            faults.add(item.line, *_too_many(count))
+        yield (item if count <= MOST_CHORDS else item.as_line()), 1.0 + count
+    else:
+        yield item, 1.0
+
+
+def _too_many(chords: int) -> tuple[str, str]:
+    return f"the arc takes {chords} chords", "say a larger --chord-tolerance"

@@ -21,7 +21,7 @@ from trueaxis.compensation.course import (
 )
 from trueaxis.compensation.lattice import word_steps
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
-from trueaxis.compensation.moves import Kind, Move, Notes
+from trueaxis.compensation.moves import Kind, Notes
 from trueaxis.compensation.path import Held, MoveTable, Path, path_of
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.subdivide import Along
@@ -150,12 +150,12 @@ class Tracker:
         )
 
     def place(
-        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: Move | None
+        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: MoveTable | None
     ) -> tuple[Path, OnCourse]:
         """The path of a batch, with a motion of no length wherever the commands have to jump, and its course.
 
         A jump is due at the start of a motion in which an axis moves the other way. follows: whether each move is run
-        through; following: the move after the last.
+        through; following: of one move, the one after the last.
         """
         standing = self._standing
         inch = moves.inch[path.owner]
@@ -187,23 +187,21 @@ class Tracker:
         return direction, extreme
 
     def _velocities(
-        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: Move | None
+        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: MoveTable | None
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Velocity in the midst of motions, their duration, and velocity at their ends."""
         if not self._acting.moving:
             still = np.zeros_like(path.points)
             return still, np.zeros(path.size), still
-        for move in moves:
-            if move.kind != Kind.RAPID and not move.feed > 0.0:
-                self._notes.add(move.line, NO_FEED)
-        feed = np.array([move.feed for move in moves])[path.owner]
+        feeds = moves.feed
+        for line in moves.lines[(moves.motion != Kind.RAPID) & ~(feeds > 0.0)].tolist():
+            self._notes.add(line, NO_FEED)
+        feed = feeds[path.owner]
         midst, duration = cruising(path, feed, self._axes)
         after, owner = np.zeros((len(self._axes), 1)), len(moves)
         if following is not None:
-            ahead = path_of(
-                MoveTable([following], len(self._axes)), path.points[:, -1], self._axes, self._settings.chord_tolerance
-            )
-            after = cruising(ahead, np.full(ahead.size, following.feed), self._axes)[0][:, :1]
+            ahead = path_of(following, path.points[:, -1], self._axes, self._settings.chord_tolerance)
+            after = cruising(ahead, following.feed[ahead.owner], self._axes)[0][:, :1]
         ends = at_vertices(np.concatenate([midst, after], axis=1), np.append(path.owner, owner), follows)
         return midst, duration, ends
 
@@ -222,8 +220,8 @@ class Tracker:
         leap = self._along.correction(new, at) - self._along.correction(old, at)
         counts = np.abs(leap) > 0.5 * steps[:, index]
         against = counts & (leap * course.direction[:, index] < 0.0) & (course.direction * before < 0.0)[:, index]
-        for owner in path.owner[index[against.any(axis=0)]]:
-            self._notes.add(moves[owner].line, AHEAD)
+        for line in moves.lines[path.owner[index[against.any(axis=0)]]].tolist():
+            self._notes.add(line, AHEAD)
         return np.asarray(index[counts.any(axis=0)])
 
     def _with_jumps(self, path: Path, course: Course, jumps: NDArray[np.int64]) -> tuple[Path, OnCourse]:

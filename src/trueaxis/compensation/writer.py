@@ -1,17 +1,16 @@
 """NC blocks with compensated axis words."""
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.kept_arcs import Piece, plane_of
+from trueaxis.compensation.columns import PlainRun
+from trueaxis.compensation.kept_arcs import NO_PIECES, Pieces
 from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.moves import Move, Zero
-from trueaxis.compensation.nc_plain import PlainRun
 from trueaxis.compensation.path import MoveTable
-from trueaxis.compensation.run_text import run_text
+from trueaxis.compensation.run_text import RunBlocks
 from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
 
 _LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
@@ -23,7 +22,7 @@ class BlockWriter:
     """Writes moves; holds the number formats of a machine's words."""
 
     def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
-        self._axes, self._formats, self._digits, self._units = axes, {}, {}, {}
+        self._axes, self._formats, self._digits, self._units, self._steps = axes, {}, {}, {}, {}
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
@@ -33,6 +32,7 @@ class BlockWriter:
                 (step, f"{axis}%.{of_axis}f") for axis, step, of_axis in zip(axes, steps, digits, strict=True)
             ]
             self._digits[inch] = digits
+            self._steps[inch] = linear
             self._units[inch] = np.array([[round(step * 10**n)] for step, n in zip(steps, digits, strict=True)])
 
     def texts(
@@ -44,14 +44,14 @@ class BlockWriter:
         lattices: tuple[FloatArray, FloatArray],
         programmed: tuple[FloatArray, FloatArray],
         shares: FloatArray,
-        arcs: Mapping[int, Piece] = MappingProxyType({}),
+        arcs: Pieces = NO_PIECES,
     ) -> list[str]:
         """One text for each item of the table: its blocks, or the blocks they have become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
         before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
         (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n); shares: (n,), of the time
-        of that move; arcs: those of the positions that end an arc, by their index.
+        of that move; arcs: of the positions that end one, ascending.
         Raises ValueError rather than write a position that is not finite.
         """
         if not np.isfinite(positions).all():
@@ -76,43 +76,21 @@ class BlockWriter:
             of_item = pieces[move_number : move_number + count]
             whole = slice(place, place + int(of_item.sum()))
             counts, stay, unchanged = all_counts[:, whole], stays[:, whole], all_unchanged[whole]
+            of_arcs = arcs.some(np.arange(*np.searchsorted(arcs.at, [whole.start, whole.stop])))
             if isinstance(item, PlainRun):
-                out.append(self._run(item, of_item, counts, stay, unchanged, shares[whole]))
-            elif count == of_item[0] and place not in arcs:
+                of_arcs = of_arcs._replace(at=of_arcs.at - place)
+                blocks = RunBlocks(
+                    run=item, pieces=of_item, counts=counts * self._units[item.inch], stay=stay, unchanged=unchanged,
+                    cut=of_item > 1,                    arcs=of_arcs,
+                )  # fmt: skip
+                out.append(blocks.text(self._axes, self._digits[item.inch], self._steps[item.inch]))
+            elif count == of_item[0] and not of_arcs.at.size:
                 out.append(self._single(item, counts[:, 0].tolist(), stay[:, 0].tolist(), bool(unchanged[0])))
             else:
-                of_move = [arcs.get(index) for index in range(whole.start, whole.stop)]
-                out.append(self._several(item, counts.T.tolist(), stay.T.tolist(), shares[whole], of_move))
+                centres = [self._centre(item, of_arcs, block) for block in range(whole.start, whole.stop)]
+                out.append(self._several(item, counts.T.tolist(), stay.T.tolist(), shares[whole], centres))
             move_number, place = move_number + count, whole.stop
         return out
-
-    def _run(
-        self,
-        run: PlainRun,
-        pieces: NDArray[np.int64],
-        counts: NDArray[np.int64],
-        stay: NDArray[np.bool_],
-        unchanged: NDArray[np.bool_],
-        shares: FloatArray,
-    ) -> str:
-        """The blocks of a run, as `_single` and `_several` write them one by one."""
-        whole = np.concatenate([[0], np.cumsum(pieces)])
-        first = whole[:-1]
-        named = run.written | ~stay[:, first]
-        source = unchanged[first] & ~(named & ~run.written).any(axis=0)
-        texts = {}
-        if (own := np.flatnonzero(source | (pieces > 1))).size:
-            sources = run.sources()
-            for index in own.tolist():
-                part = slice(whole[index], whole[index + 1])
-                texts[index] = sources[index]
-                if pieces[index] > 1:
-                    texts[index] = self._several(
-                        run.move(index), counts[:, part].T.tolist(), stay[:, part].T.tolist(), shares[part],
-                        [None] * int(pieces[index]),
-                    )  # fmt: skip
-        forms = list(zip(self._axes, self._digits[run.inch], strict=True))
-        return run_text(run, forms, counts[:, first] * self._units[run.inch], named, texts)
 
     def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
         """A block that gives axes new values where they stand: where the words, not the program, have put them.
@@ -143,35 +121,37 @@ class BlockWriter:
         counts: list[list[int]],
         stay: list[list[bool]],
         shares: FloatArray,
-        arcs: Sequence[Piece | None],
+        centres: Sequence[str],
     ) -> str:
+        """The blocks that a block becomes; centres: the words of those that are arcs, with the gap before them."""
         lead, tail, last = move.split or (move.lead, move.tail, "")
         if len(counts) == 1:
             tail, last = move.tail, ""
         none = (False,) * len(move.written)
         eol = move.eol or "\n"
         feeds = [_feed(move, share) for share in shares.tolist()] if len(counts) > 1 else [""]
-        if move.round is not None and arcs[0] is not None:
+        if move.round is not None and centres[0]:
             lead = move.round.lead if len(counts) == 1 else move.round.split_lead
         first = self._words(move, counts[0], stay[0], move.written)
-        parts = [f"{lead}{first}{self._centre(move, arcs[0])}{feeds[0]}{tail}"]
-        before = arcs[0]
-        for count, held, feed, arc in zip(counts[1:], stay[1:], feeds[1:], arcs[1:], strict=True):
+        parts = [f"{lead}{first}{centres[0]}{feeds[0]}{tail}"]
+        before = centres[0]
+        for count, held, feed, centre in zip(counts[1:], stay[1:], feeds[1:], centres[1:], strict=True):
             words = self._words(move, count, held, none)
             if not words:
                 continue
             code = ""
-            if move.round is not None and (arc is not None or before is not None or move.round.last):
-                code = move.round.code if arc is not None else move.round.line
-            parts.append(f"{move.again}{code}{words}{self._centre(move, arc)}{feed}")
-            before = arc
+            if move.round is not None and (centre or before or move.round.last):
+                code = move.round.code if centre else move.round.line
+            parts.append(f"{move.again}{code}{words}{centre}{feed}")
+            before = centre
         if last:
             parts[-1 if len(parts) > 1 else 0] += last
         return eol.join(parts) + move.eol
 
-    def _centre(self, move: Move, piece: Piece | None) -> str:
-        """The words of an arc's centre or radius, with the gap before them."""
-        if piece is None or piece.centre is None or move.round is None or move.arc is None:
+    def _centre(self, move: Move, arcs: Pieces, block: int) -> str:
+        """The words of the centre or radius of a block that is an arc, with the gap before them; empty: it is none."""
+        number = int(np.searchsorted(arcs.at, block))
+        if number == arcs.at.size or arcs.at[number] != block or move.round is None:
             return ""
         scale = MM_PER_INCH if move.inch else 1.0
         step, form = self._formats[move.inch][self._axes.index("X")]
@@ -181,9 +161,9 @@ class BlockWriter:
             return f"{move.gap}{letter}{digits % (round(value / scale / step) * step)}"
 
         if move.round.centre == "radius":
-            return word(move.round.radius, piece.radius) + move.round.last
-        rows = plane_of(move.arc)
-        return "".join(word("IJK"[row], value) for row, value in sorted(zip(rows[:2], piece.centre, strict=True)))
+            return word(move.round.radius, float(arcs.radius[number])) + move.round.last
+        centre = zip(arcs.rows[:, number].tolist(), arcs.centre[:, number].tolist(), strict=True)
+        return "".join(word("IJK"[row], value) for row, value in sorted(centre))
 
     def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
         return move.gap.join(

@@ -1,0 +1,219 @@
+"""Runs of many blocks, lines and arcs, read all together.
+
+What a run is, and what it means, is what the general reader makes of its blocks one by one: a test holds both against
+each other. A block that differs in anything ends a run, and is left to it.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.columns import BlockPlaces, PlainRun
+from trueaxis.compensation.cycle_blocks import holes_alike, holes_run
+from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
+from trueaxis.compensation.nc_cycles import CycleReader
+from trueaxis.compensation.nc_run_arcs import ArcReader
+from trueaxis.compensation.nc_state import Commanded, NcState
+from trueaxis.compensation.plain_text import LETTERS, plain_text
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
+
+FEWEST = 12  # blocks: below, arrays cost more than they save
+FEWEST_HOLES = 4
+_LAST_LINEAR, _LAST_AXIS = LETTERS.index("Z"), LETTERS.index("C")
+
+
+class Run(NamedTuple):
+    """A run, and how many lines and characters it takes: text may stand between its moves and behind them."""
+
+    moves: PlainRun
+    lines: int
+    size: int
+
+
+class RunReader:
+    """Finds runs in the text of one program."""
+
+    def __init__(self, state: NcState, settings: Settings, cycles: CycleReader) -> None:
+        self._state, self._settings, self._cycles = state, settings, cycles
+        self._arcs = ArcReader(state, settings)
+        self._known = all(axis in state.row for axis in LINEAR)
+        self._row = np.array([state.row.get(letter, -1) for letter in LETTERS])
+        self._text, self._first = "", 0  # the text read last, and the number of its first line
+        self._lines = plain_text("", undotted_mm=True)
+        self._others = np.zeros(1, dtype=np.int64)  # its lines that are not plain, and its end
+        self._looked = 0  # line of it up to which no run begins
+        self._most = 0  # lines to look at: few after an arc that is none, so that no text is read many times
+
+    def read(self, number: int, text: str) -> Run | None:
+        """The run that begins at line `number`, which is in this text; None, and nothing changed, if none does."""
+        if not self._known or len(text) < FEWEST:
+            return None
+        if text is not self._text:
+            self._begin(number, text)
+        first = number - self._first
+        if first < self._looked or not self._state.goes_on_plainly:
+            return None
+        if self._state.cycle is not None:
+            return self._holes(number, first)
+        most = min(int(self._others[np.searchsorted(self._others, first)]), first + self._most)
+        last = self._alike(first, most) if most - first >= FEWEST else first
+        run = self._run(number, first, last) if last - first >= FEWEST else None
+        if run is None or run.lines < last - first:
+            self._most = max(2 * (0 if run is None else run.lines), 2 * FEWEST)
+        else:
+            self._most *= 2
+        if run is None:
+            self._looked = max(last, first + 1)
+        return run
+
+    def _begin(self, number: int, text: str) -> None:
+        """Read a text."""
+        siemens = self._settings.dialect == "siemens"  # R is a variable there, and only ; begins a comment
+        lines = plain_text(text, self._settings.undotted == "mm", parentheses=not siemens)
+        foreign = [LETTERS.index(axis) for axis in ROTARY if axis not in self._state.row]
+        plain = np.append(lines.plain, False)  # what is behind the last line end is no line
+        plain[lines.line[np.isin(lines.letter, [*foreign, LETTERS.index("R")] if siemens else foreign)]] = False
+        self._text, self._first, self._lines = text, number, lines
+        self._looked, self._most, self._others = 0, plain.size, np.flatnonzero(~plain)
+
+    def _holes(self, number: int, first: int) -> Run | None:
+        """The run of holes that begins at this line."""
+        state, lines, hole = self._state, self._lines, self._cycles.further()
+        last = int(self._others[np.searchsorted(self._others, first)])
+        last = (
+            holes_alike(lines, first, last, state, hole) if hole is not None and last - first >= FEWEST_HOLES else first
+        )
+        if hole is None or last - first < FEWEST_HOLES:
+            self._looked = max(last, first + 1)
+            return None
+        moves, _ = self._motions(first, last)
+        written, given = self._table(first, last, moves)
+        if lines.blank[first] or lines.lead[first] > lines.starts[first] or np.count_nonzero(written[:, 0]) > 1:
+            state.gap = " " if lines.blank[first] else ""
+        run = holes_run(lines, first, last, number, (written, _positions(state, written, given)), state, hole)
+        state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
+        self._cycles.note_further(number, int(moves.sum()))
+        return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
+
+    def _alike(self, first: int, last: int) -> int:
+        """Up to which of these plain lines those that move can be taken together; the first itself if it cannot."""
+        state, lines, part = self._state, self._lines, slice(first, last)
+        words = slice(*lines.first[[first, last]].tolist())
+        letter, line = lines.letter[words], lines.line[words] - first
+        moves, motion = self._motions(first, last)
+        centred = np.zeros(moves.size, dtype=bool)
+        centred[line[letter > _LAST_AXIS]] = True
+        wrong = moves & ((motion < 0) | (centred != (motion > 1)) | (lines.returned[part] != lines.returned[first]))
+        if state.commanded.of(range(len(state.axes))) < Commanded.ABSOLUTE:
+            wrong[line[(letter > _LAST_LINEAR) & (letter <= _LAST_AXIS)]] = True
+        begins_otherwise = lines.code[first] < 0 and state.motion in (0, 1) and state.in_force != state.motion
+        wrong[0] |= not moves[0] or begins_otherwise
+        return first + int(np.argmax(wrong)) if wrong.any() else last
+
+    def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
+        """Which of these lines move, and the motion in force in each, -1 where none is."""
+        code, before = self._lines.code[first:last], self._state.motion
+        return np.diff(self._lines.first[first : last + 1]) > 0, _kept(
+            code, code >= 0, -1 if before is None else before
+        )
+
+    def _run(self, number: int, first: int, last: int) -> Run | None:
+        """The run of these lines, as far as their arcs are arcs."""
+        state, lines = self._state, self._lines
+        moves, motion = self._motions(first, last)
+        index = first + np.flatnonzero(moves)
+        if index.size < FEWEST:
+            return None
+        motion = motion[moves]
+        written, given = self._table(first, last, moves)
+        ends = _positions(state, written, given)
+        arcs, right = self._arcs.read(lines, index, motion, ends)
+        if right < index.size:
+            if right < FEWEST:
+                return None
+            last = int(index[right])
+            index, motion, written, ends = index[:right], motion[:right], written[:, :right], ends[:, :right]
+        scale, minutes = MM_PER_INCH if state.inch else 1.0, state.feed_mode == "minute"
+        has_feed = np.isfinite(lines.feed[first:last])
+        feed = _kept(lines.feed[first:last] * scale, has_feed, state.feed)
+        several = lines.first[index + 1] - lines.first[index] > 1
+        blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
+        run = PlainRun(
+            line=number + index - first, motion=motion, ends=ends, written=written, absolute=state.absolute,
+            inch=state.inch, blank=blank, eol="\r\n" if lines.returned[first] else "\n",
+            source=lines.source[lines.starts[first] : lines.starts[last]], places=self._places(first, last, index),
+            inserts=(motion > 1) & (lines.code[index] < 0), arcs=arcs,
+            feed=feed[index - first] if minutes else np.full(index.size, math.nan),
+            held=state.commanded.held[state.absolute], elsewhere=state.commanded.elsewhere, shift=state.shift,
+        )  # fmt: skip
+        self._keep(run, first, last, int(index[-1]), float(feed[-1]))
+        return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
+
+    def _table(self, first: int, last: int, moves: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], FloatArray]:
+        """Which axes the lines that move name, and their numbers, mm and deg, each (n_axes, n)."""
+        lines, of_text = self._lines, slice(*self._lines.first[[first, last]].tolist())
+        letter = lines.letter[of_text]
+        axes = letter <= _LAST_AXIS
+        letter, line = letter[axes], lines.line[of_text][axes] - first
+        place = self._row[letter], (np.cumsum(moves) - 1)[line]
+        shape = len(self._state.axes), int(moves.sum())
+        written, given = np.zeros(shape, dtype=bool), np.zeros(shape)
+        values = lines.value[of_text][axes]
+        written[place] = True
+        given[place] = np.where(letter <= _LAST_LINEAR, values * MM_PER_INCH, values) if self._state.inch else values
+        return written, given
+
+    def _places(self, first: int, last: int, index: NDArray[np.int64]) -> BlockPlaces:
+        """Where the text of these lines is, in that from the first to the last."""
+        lines = self._lines
+        own = lines.code[index] >= 0
+        places = BlockPlaces(
+            begin=lines.starts[index],
+            first=lines.lead[index],
+            last=lines.tail[index],
+            end=lines.starts[index + 1] - 1 - lines.returned[index],
+            after=np.append(lines.starts[index[1:]], lines.starts[last]),
+            code=np.where(own, lines.code_at[index], lines.lead[index]),
+            code_end=np.where(own, lines.code_end[index], lines.lead[index]),
+        )
+        return places.moved(-int(lines.starts[first]))
+
+    def _keep(self, run: PlainRun, first: int, last: int, moved: int, feed: float) -> None:
+        """Take into the state what a run has set; moved: its last line that moves."""
+        state, lines = self._state, self._lines
+        codes = np.flatnonzero(lines.code[first:last] >= 0)
+        state.motion = int(run.motion[-1])
+        state.in_force = None if state.motion > 1 else state.motion  # an arc may have become lines
+        if codes.size and first + codes[-1] > moved:
+            state.motion = state.in_force = int(lines.code[first + codes[-1]])
+        state.gap, state.position, state.moved = " " if run.blank[-1] else "", run.ends[:, -1].tolist(), True
+        state.feed = feed
+        words = slice(*lines.first[[first, last]].tolist())
+        letter = lines.letter[words]
+        for axis, row in state.row.items():
+            at = np.flatnonzero(letter == LETTERS.index(axis))
+            if at.size:
+                place, end = (int(of[words][at[-1]]) for of in (lines.place, lines.end))
+                state.numbers[row] = self._text[place + 1 : end]
+
+
+def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArray[Any]:
+    """The values that are known, each until the next is; start: before the first."""
+    last = np.maximum.accumulate(np.where(known, np.arange(known.size), -1))
+    return np.where(last >= 0, values[np.maximum(last, 0)], start)
+
+
+def _positions(state: NcState, written: NDArray[np.bool_], given: FloatArray) -> FloatArray:
+    """Where the blocks of a run end, (n_axes, n); written, given: which axes they name, and their numbers."""
+    start = np.array([0.0 if value is None else value for value in state.position])[:, np.newaxis]
+    if not state.absolute:
+        return np.cumsum(np.concatenate([start, given], axis=1), axis=1)[:, 1:]
+    if state.shift:
+        given += np.array(state.shift)[:, np.newaxis]
+    if written.all():
+        return given
+    ends = np.concatenate([start, given], axis=1)
+    last = np.maximum.accumulate(np.where(written, np.arange(1, ends.shape[1]), 0), axis=1)
+    return np.take_along_axis(ends, last, axis=1)
