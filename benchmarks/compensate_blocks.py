@@ -1,8 +1,9 @@
 """Blocks per second and peak memory of `compensate` at 1e4, 1e5 and 1e6 blocks, in one run.
 
-Run from the repository: python benchmarks/compensate_blocks.py [--plain] [--words middles] [--largest 1000000]
+Run from the repository: python benchmarks/compensate_blocks.py [--program half] [--words middles] [--largest 1000000]
 Each program is compensated in a process of its own, so that its peak memory is its own. Seconds are those of the
-processor: other work on the machine counts for less.
+processor. A processor that other work shares is slower all the same: `loops` are the same seconds in units of a loop of
+Python and NumPy that is timed before and after, by which runs at other times compare.
 """
 
 import argparse
@@ -15,6 +16,8 @@ import tempfile
 import time
 from pathlib import Path
 
+import numpy as np
+
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.settings import Settings
 from trueaxis.model.model import load_model
@@ -24,45 +27,87 @@ MACHINE = ROOT / "machines" / "dmu60p.toml"
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 
 
-def write_program(path: Path, blocks: int, plain: bool = False) -> None:
-    """A finishing program: rows of short chords over a wavy surface, now and then an arc or a comment unless plain."""
+PROGRAMS = {
+    "plain": "blocks of X Y Z",
+    "words": "N, G1, X Y Z and F in every block, a comment behind one in 50",
+    "arcs": "X Y Z, an arc with its G1 behind it in 200 blocks, a comment in 1000",
+    "half": "lines and arcs by turns, by I J and by R",
+    "holes": "G81, 200 holes by X and Y alone in each",
+    "pecks": "G83 of five pecks, 20 holes by X and Y alone in each",
+}
+
+
+def write_program(path: Path, blocks: int, program: str) -> None:
+    """A program of `PROGRAMS` over a wavy surface, in rows of short chords."""
     with path.open("w", newline="\n") as file:
         file.write("%\nG21 G17 G90 G94\nG0 X100. Y100. Z120.\nG1 Z100. F2000.\n")
+        before = (100.0, 100.0)
         for number in range(blocks - 5):
             row, column = divmod(number, 800)
             place = column if row % 2 == 0 else 799 - column
             x = 100.0 + 0.4 * place
             y = 100.0 + 0.2 * (row % 1500)
             z = 100.0 + 8.0 * math.sin(0.02 * x) * math.cos(0.013 * y)
-            if plain:
-                file.write(f"X{x:.4f} Y{y:.4f} Z{z:.4f}\n")
-            elif number % 1000 == 999:
-                file.write(f"(row {row})\n")
-            elif number % 200 == 199:
-                file.write(f"N{number} G2 X{x:.4f} Y{y:.4f} R5. F1500\nG1 F2000\n")
-            else:
-                file.write(f"X{x:.4f} Y{y:.4f} Z{z:.4f}\n")
+            file.write(block(program, number, (x, y, z), before))
+            before = (x, y)
         file.write("M30\n")
 
 
-def one(blocks: int, words: str, plain: bool) -> None:
+def block(program: str, number: int, place: tuple[float, float, float], before: tuple[float, float]) -> str:
+    """One block of a program; before: where the block before ends."""
+    x, y, z = place
+    line = f"X{x:.4f} Y{y:.4f}"
+    text = f"{line} Z{z:.4f}\n"
+    if program == "words":
+        text = f"N{number + 1} G1 {line} Z{z:.4f} F{1500 + number % 7 * 50}.{' (pass)' * (number % 50 == 49)}\n"
+    elif program == "arcs" and number % 1000 == 999:
+        text = f"(block {number})\n"
+    elif program == "arcs" and number % 200 == 199:
+        text = f"N{number} G2 {line} R5. F1500\nG1 F2000\n"
+    elif program == "half" and number % 4 == 1:
+        text = f"G2 {line} R5.\n"
+    elif program == "half" and number % 4 == 3:  # about a point that lies as far from both ends
+        i, j = 0.5 * (x - before[0]) - (y - before[1]), 0.5 * (y - before[1]) + (x - before[0])
+        text = f"G3 {line} I{i:.4f} J{j:.4f}\n"
+    elif program == "half":
+        text = f"G1 {text}"
+    elif program == "holes":
+        text = f"G81 {line} Z100. R120. F500.\n" if number % 200 == 0 else f"{line}\n"
+    elif program == "pecks":
+        text = f"G83 {line} Z100. R120. Q4. F500.\n" if number % 20 == 0 else f"{line}\n"
+    return text
+
+
+def reference() -> float:
+    """Seconds of a loop of Python and NumPy that has nothing to do with compensation."""
+    begin = time.process_time()
+    values, total = np.arange(30_000.0), 0
+    for _ in range(20):
+        total += int((np.sin(values) * values).sum()) + len("".join(map(str, range(15_000))))
+        total += sum(number * number % 7 for number in range(30_000))
+    return time.process_time() - begin
+
+
+def one(blocks: int, words: str, name: str) -> None:
     """Compensate one program in this process and print what it took as JSON."""
     ball = None if words == "nearest" else (270.0, -350.0, 0.0)
     settings = Settings(words=words, ball=ball)  # type: ignore[arg-type]
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "program.nc"
-        write_program(program, blocks, plain)
+        write_program(program, blocks, name)
         model = load_model(MACHINE, ERRORS, ROOT / "generated")
         compensate_file(program, Path(folder) / "warm.nc", model, settings) if blocks <= 10_000 else None
         idle = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        before = reference()
         begin = time.process_time()
         report = compensate_file(program, Path(folder) / "out.nc", model, settings)
         seconds = time.process_time() - begin
+        loops = seconds / (0.5 * (before + reference()))
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     print(
         json.dumps(
-            {"blocks": report.blocks_in, "written": report.blocks_out, "points": report.points,
-             "seconds": seconds, "peak": peak / 1024, "idle": idle / 1024}
+            {"blocks": report.blocks_in, "written": report.blocks_out, "moves": report.moves,
+             "points": report.points, "seconds": seconds, "loops": loops, "peak": peak / 1024, "idle": idle / 1024}
         )
     )  # fmt: skip
 
@@ -70,22 +115,26 @@ def one(blocks: int, words: str, plain: bool) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default="nearest")
-    parser.add_argument("--plain", action="store_true", help="blocks of X Y Z alone")
+    parser.add_argument("--program", choices=PROGRAMS, default="plain", help=str(PROGRAMS))
     parser.add_argument("--largest", type=int, default=1_000_000)
     parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
     args = parser.parse_args()
     if args.one:
-        one(args.one, args.words, args.plain)
+        one(args.one, args.words, args.program)
         return
-    print(f"words {args.words}")
-    print(f"{'blocks':>9s} {'written':>9s} {'points':>9s} {'seconds':>8s} {'blocks/s':>9s} {'peak MiB':>9s}")
+    print(f"{PROGRAMS[args.program]}; words {args.words}")
+    names = ("blocks", "written", "moves", "points", "seconds", "loops", "blocks/s", "moves/s", "points/s", "peak MiB")
+    print(" ".join(f"{name:>9s}" for name in names))
     blocks = 10_000
     while blocks <= args.largest:
-        command = [sys.executable, __file__, "--one", str(blocks), "--words", args.words, *["--plain"] * args.plain]
+        command = [sys.executable, __file__, "--one", str(blocks), "--words", args.words, "--program", args.program]
         got = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        rates = (got[name] / got["seconds"] for name in ("blocks", "moves", "points"))
         print(
-            f"{got['blocks']:9d} {got['written']:9d} {got['points']:9d} {got['seconds']:8.2f} "
-            f"{got['blocks'] / got['seconds']:9.0f} {got['peak']:9.0f}"
+            *(f"{got[name]:9d}" for name in ("blocks", "written", "moves", "points")),
+            f"{got['seconds']:9.2f} {got['loops']:9.1f}",
+            *(f"{rate:9.0f}" for rate in rates),
+            f"{got['peak']:9.0f}",
         )
         blocks *= 10
 

@@ -96,7 +96,7 @@ def cases() -> Iterator[Case]:
         return ["predict", MACHINE, "--errors", ERRORS, "--at", folder / "points.csv", "--out", folder / "out.csv"]
 
     def compensate(size: int, folder: Path) -> list[str | Path]:
-        write_program(folder / "in.nc", size)
+        write_program(folder / "in.nc", size, "arcs")
         return ["compensate", MACHINE, "--errors", ERRORS, folder / "in.nc", "--out", folder / "out.nc"]
 
     def simulate(size: int, folder: Path) -> list[str | Path]:
