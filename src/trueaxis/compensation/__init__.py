@@ -5,18 +5,19 @@ A program goes through these stages, a bounded batch of blocks at a time:
     files       bytes of a program <-> lines; the output is put in place whole or not at all. dialects: what a program
                 says of itself: its language, and the mark by which a compensated one is refused a second time
     nc_reader, klartext_reader, apt_reader
-                lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_plain
-                (most blocks, many at once, by plain_text), nc_lexer (words; siemens for SINUMERIK), nc_block (what they
-                ask for, by nc_codes), nc_modes, nc_frames (work offsets), nc_tools, nc_motion, nc_cycles
+                lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_runs
+                (most blocks, many at once, by plain_text; their arcs by nc_run_arcs), nc_lexer (words; siemens for
+                SINUMERIK), nc_block (what they ask for, by nc_codes), nc_modes, nc_frames (work offsets), nc_tools,
+                nc_motion, nc_cycles (what holes become: cycle_blocks)
+    columns     moves read together, and arcs, many at once
     nc_state    modes in force, and which axes the program has put where they stand (tool changes and stops undo it);
                 the others are held: they get no word, nor does one that was commanded in another frame
     offsets, tools
                 what is known of the control before, and the files that say it. frames: what is in force
-    batches, path
-                moves -> points; arcs become chords within the chord tolerance
+    path        moves -> points; arcs become chords within the chord tolerance
     tracker     with effects: which act, and a point of its own where a reversal makes the commands jump; course: how
                 the axes come and go along the path, and the machine at each place of it
-    subdivide   lines are cut where the errors along them are not straight enough
+    subdivide   a program is divided into batches, and lines where the errors along them are not straight enough
     solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would, by the linear axes or,
                 the tool axis too, by all
     executed    commands -> words (lattice): nearest, or chosen along the ball bar (word_choice); kept_arcs: chords are

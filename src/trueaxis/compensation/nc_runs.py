@@ -72,9 +72,10 @@ class RunReader:
         """Read a text."""
         siemens = self._settings.dialect == "siemens"  # R is a variable there, and only ; begins a comment
         lines = plain_text(text, self._settings.undotted == "mm", parentheses=not siemens)
-        foreign = [LETTERS.index(axis) for axis in ROTARY if axis not in self._state.row]
+        foreign = [axis for axis in ROTARY if axis not in self._state.row] + ["R"] * siemens
         plain = np.append(lines.plain, False)  # what is behind the last line end is no line
-        plain[lines.line[np.isin(lines.letter, [*foreign, LETTERS.index("R")] if siemens else foreign)]] = False
+        for letter in foreign:
+            plain[lines.line[lines.letter == LETTERS.index(letter)]] = False
         self._text, self._first, self._lines = text, number, lines
         self._looked, self._most, self._others = 0, plain.size, np.flatnonzero(~plain)
 
@@ -201,6 +202,8 @@ class RunReader:
 
 def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArray[Any]:
     """The values that are known, each until the next is; start: before the first."""
+    if known.all():
+        return values
     last = np.maximum.accumulate(np.where(known, np.arange(known.size), -1))
     return np.where(last >= 0, values[np.maximum(last, 0)], start)
 

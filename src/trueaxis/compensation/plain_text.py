@@ -91,7 +91,6 @@ def plain_text(text: str, undotted_mm: bool, parentheses: bool = True) -> PlainT
     ends = np.flatnonzero(kind == _NEWLINE)
     newline, line = marks[ends], np.repeat(np.arange(ends.size), np.diff(ends, append=kind.size))
     value, digits, dots, decimals = _numbers(signs, of, marks)
-    number_end = marks + 1 + (of[np.minimum(marks + 1, of.size - 1)] == _SIGN) + digits + dots
 
     bad = (digits < 1) | (digits > _MOST_DIGITS[kind]) | (dots > _MOST_DOTS[kind]) | ((kind == _G) & (value > _MOTIONS))
     bad |= np.abs(value) > LARGEST
@@ -112,19 +111,20 @@ def plain_text(text: str, undotted_mm: bool, parentheses: bool = True) -> PlainT
     code, feed = np.full(ends.size, -1), np.full(ends.size, np.nan)
     code_at, code_end = np.zeros((2, ends.size), dtype=np.int64)
     code[line[codes]], feed[line[feeds]] = value[codes], value[feeds]
-    code_at[line[codes]], code_end[line[codes]] = marks[codes] - 1, number_end[codes] - 1
+    code_at[line[codes]], code_end[line[codes]] = marks[codes] - 1, marks[codes] + digits[codes]
     first = np.concatenate([[0], np.cumsum(np.bincount(line[words], minlength=ends.size))])
+    place = marks[words]
+    end = place + (of[place + 1] == _SIGN) + digits[words] + dots[words]
     lead = tail = np.zeros(count, dtype=np.int64)
     if words.size:
-        lead = marks[words[np.minimum(first[:count], words.size - 1)]] - 1
-        tail = number_end[words[first[1 : count + 1] - 1]] - 1
-    blank = (signs == ord(" ")) | (signs == ord("\t"))
+        lead = place[np.minimum(first[:count], words.size - 1)] - 1
+        tail = end[first[1 : count + 1] - 1]
+    blank = of == _BLANK if bare is text else (signs == ord(" ")) | (signs == ord("\t"))
     return PlainText(
         source=signs[1:-1], starts=starts, plain=plain[:count], code=code, code_at=code_at, code_end=code_end,
         feed=feed, blank=np.logical_or.reduceat(blank, newline), returned=of[newline[1:] - 1] == _RETURN,
         lead=lead, tail=tail, first=first, line=line[words], letter=kind[words].astype(np.int64) - _N,
-        value=value[words], decimals=np.where(dots[words] > 0, decimals[words], -1), place=marks[words] - 1,
-        end=number_end[words] - 1,
+        value=value[words], decimals=np.where(dots[words] > 0, decimals[words], -1), place=place - 1, end=end,
     )  # fmt: skip
 
 
