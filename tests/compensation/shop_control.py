@@ -88,7 +88,7 @@ class Control:
             if code == 490:
                 self.length = 0.0
             if code == 430:
-                self.length = self.lengths[int(words.get("H", self.tool))]
+                self.length = ({0: 0.0} | self.lengths)[int(words.get("H", self.tool))]  # 0: no tool
         self.selected = int(words.get("T", self.selected))
         if words.get("M") == 6.0:
             self.tool = self.selected

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
+from tests.compensation.few_blocks import FEWEST, runs_of
 from tests.compensation.shop_control import AXES, Control
 from tests.compensation.test_offsets import KNOWN, both
 from trueaxis.io.faults import InputError
@@ -161,8 +162,8 @@ BLOCKS = st.lists(
 
 
 @settings(max_examples=150, deadline=None)
-@given(BLOCKS, st.integers(-50, 50))
-def test_programs_with_cycles_go_where_the_control_goes(blocks: list[Any], wrong: int) -> None:
+@given(BLOCKS, st.integers(-50, 50), FEWEST)
+def test_programs_with_cycles_go_where_the_control_goes(blocks: list[Any], wrong: int, fewest: int) -> None:
     lines = [*HEAD.splitlines()]
     for place, (code, across, z, r, repeats) in enumerate(blocks):
         words = "".join(f" {axis}{v / 1000:.4f}" for axis, v in zip("XY", across, strict=True) if v is not None)
@@ -173,7 +174,7 @@ def test_programs_with_cycles_go_where_the_control_goes(blocks: list[Any], wrong
             words = ""
         lines.append(f"N{place + 5} {code}{words}{repeats if drills and words else ''}")
     source = "\n".join(lines) + "\n"
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, runs_of(fewest):
         bench = Bench(Path(folder))
         try:
             written = bench.run(source, paper_sized(3.0), offsets=KNOWN, dialect="linuxcnc", integers="mm")

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench, execute, strip, without_mark
+from tests.compensation.few_blocks import FEWEST, runs_of
 from trueaxis.io.faults import Fault, InputError
 
 NC = (
@@ -95,9 +96,9 @@ WORDS = st.lists(
 
 
 @settings(max_examples=150, deadline=None)
-@given(WORDS)
+@given(WORDS, FEWEST)
 def test_straight_programs_mean_the_same_to_an_independent_control(
-    blocks: list[tuple[str, tuple[int | None, ...], str]],
+    blocks: list[tuple[str, tuple[int | None, ...], str]], fewest: int
 ) -> None:
     """The control reaches with the written program what it would have reached with the source, within a word."""
     lines = ["G90 G21 G0 X0.000 Y0.000 Z0.000"]
@@ -105,7 +106,7 @@ def test_straight_programs_mean_the_same_to_an_independent_control(
         words = "".join(f" {axis}{v / 1000:.3f}" for axis, v in zip("XYZ", values, strict=True) if v is not None)
         lines.append((code + words + rest).strip())
     source = "\n".join(lines)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, runs_of(fewest):
         bench = Bench(Path(folder))
         text = bench.run(source, MACHINE)
         same = bench.run(source)

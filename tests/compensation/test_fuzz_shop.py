@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import paper_sized
 from tests.compensation.control import Bench
+from tests.compensation.few_blocks import FEWEST, runs_of
 from tests.compensation.shop_control import AXES
 from tests.compensation.test_fuzz import mutated
 from tests.compensation.test_offsets import KNOWN, both
@@ -54,11 +55,13 @@ MUTATIONS = st.lists(st.tuples(st.floats(0.0, 1.0), st.integers(0, 8), TOKENS), 
 
 
 @settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.too_slow])
-@given(MUTATIONS, st.tuples(*[st.integers(-40, 40)] * 4), st.sampled_from([None, "fanuc", "linuxcnc"]))
-def test_mutated_programs(mutations: list[tuple[float, int, str]], wrong: tuple[int, ...], dialect: Any) -> None:
+@given(MUTATIONS, st.tuples(*[st.integers(-40, 40)] * 4), st.sampled_from([None, "fanuc", "linuxcnc"]), FEWEST)
+def test_mutated_programs(
+    mutations: list[tuple[float, int, str]], wrong: tuple[int, ...], dialect: Any, fewest: int
+) -> None:
     """Offsets and lengths of the control are up to 4 mm off what was given."""
     source = mutated(SOURCE, mutations)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, runs_of(fewest):
         bench = Bench(Path(folder))
         try:
             written = bench.run(

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized, polynomial
 from tests.compensation.control import Bench
+from tests.compensation.few_blocks import FEWEST, runs_of
 from tests.compensation.path_distance import apart, sampled
 from trueaxis.io.faults import InputError
 
@@ -151,10 +152,12 @@ ARCS = st.tuples(
 
 
 # the end in X is 0.001 mm from the start before rounding, and gets no word
-@example(arcs=[("2", -19.0, 0.34375, -358, 0.0, False, "G17")], way="G90", seed=1)
+@example(arcs=[("2", -19.0, 0.34375, -358, 0.0, False, "G17")], way="G90", seed=1, fewest=12)
 @settings(max_examples=20, deadline=None)
-@given(st.lists(ARCS, min_size=1, max_size=4), st.sampled_from(["G90", "G91"]), st.integers(1, 1000))
-def test_random_arcs(arcs: list[tuple[str, float, float, int, float, bool, str]], way: str, seed: int) -> None:
+@given(st.lists(ARCS, min_size=1, max_size=4), st.sampled_from(["G90", "G91"]), st.integers(1, 1000), FEWEST)
+def test_random_arcs(
+    arcs: list[tuple[str, float, float, int, float, bool, str]], way: str, seed: int, fewest: int
+) -> None:
     random = np.random.default_rng(seed)
     curves = {f"E{way}{axis}": polynomial(*random.uniform(-0.03, 0.03, 2)) for way in "XYZ" for axis in "XYZ"}
     machine = XyzMachine(curves, (5e-5, -3e-5, 2e-5))
@@ -182,10 +185,10 @@ def test_random_arcs(arcs: list[tuple[str, float, float, int, float, bool, str]]
             centre = f"R{radius:.3f}"
         else:
             centre = f"{'IJK'[a]}{i:.3f} {'IJK'[b]}{j:.3f}"
-        lines.append(f"{plane} {way} G{code} {text} {centre}")
+        lines += [f"{plane} {way}", f"G{code} {text} {centre}"]
         at = end
     if not lines:
         return
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, runs_of(fewest):
         bench = Bench(Path(folder))
         assert errors(bench, HEAD + "\n".join(lines) + "\n", machine)[1] < 0.0014

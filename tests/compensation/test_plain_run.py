@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
-from trueaxis.compensation import nc_runs
+from tests.compensation.few_blocks import runs_of
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.plain_text import plain_text
 from trueaxis.compensation.report import CompensationReport
@@ -89,7 +89,7 @@ def outcome(bench: Bench, text: str, fewest: int, options: dict[str, object]) ->
     """What is written or refused, and the report, with runs of no fewer blocks."""
     of = paper_sized(3.0)
     machine = XyzMachine(of.curves, of.squareness, travel=LIMITS)
-    with patch.object(nc_runs, "FEWEST", fewest), patch.object(nc_runs, "FEWEST_HOLES", fewest):
+    with runs_of(fewest):
         try:
             written = bench.run(text, machine, **options)  # type: ignore[arg-type]
         except InputError as error:
