@@ -88,7 +88,8 @@ class Control:
             if code == 490:
                 self.length = 0.0
             if code == 430:
-                self.length = ({0: 0.0} | self.lengths)[int(words.get("H", self.tool))]  # 0: no tool
+                number = int(words.get("H", self.tool))
+                self.length = self.lengths[number] if number else 0.0
         self.selected = int(words.get("T", self.selected))
         if words.get("M") == 6.0:
             self.tool = self.selected
