@@ -147,10 +147,12 @@ def _numbers(
     before = np.cumsum(is_digit, dtype=np.int32)
     digits = np.diff(before[marks], append=before[-1:])
     place = np.flatnonzero(is_digit)
-    behind = np.repeat(before[marks] + digits, digits) - np.arange(1, place.size + 1)  # digits of the same number
-    owner = np.repeat(np.arange(marks.size), digits)
+    last = np.repeat(before[marks] + digits, digits)
+    behind = last - np.arange(1, place.size + 1, dtype=np.int32)  # digits of the same number
     shares = (signs[place] - ord("0")) * _POWERS[np.minimum(behind, 15)]
-    value = np.bincount(owner, shares, minlength=marks.size).astype(np.float64)  # whole ones where there are none
+    value, numbers = np.zeros(marks.size), np.flatnonzero(digits)
+    if numbers.size:
+        value[numbers] = np.add.reduceat(shares, before[marks[numbers]])
     dot = np.flatnonzero(of == _DOT)
     owner = np.searchsorted(marks, dot) - 1
     dots = np.bincount(owner, minlength=marks.size)

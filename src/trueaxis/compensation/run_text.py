@@ -69,7 +69,7 @@ def put_together(store: Sequence[Characters], segments: Sequence[Segment]) -> st
     before = np.cumsum(length, dtype=np.int32) - length
     place = np.repeat(begin - before, length)
     place += np.arange(place.size, dtype=np.int32)
-    return bytes(np.concatenate(store)[place]).decode("latin-1")
+    return bytes(np.take(np.concatenate(store), place)).decode("latin-1")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -130,6 +130,8 @@ class RunBlocks:
     @cached_property
     def _first(self) -> NDArray[np.bool_]:
         """Whether each piece is the first of its block."""
+        if not self.cut.any():
+            return np.ones(self.pieces.size, dtype=bool)
         return np.diff(np.repeat(np.arange(self.pieces.size), self.pieces), prepend=-1) > 0
 
     @cached_property
