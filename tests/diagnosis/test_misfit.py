@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.diagnosis.prepared import SMALL, Prepared, prepared
+from tests.diagnosis.prepared import SIGMA, SMALL, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
@@ -90,6 +90,25 @@ def test_sound_runs_are_not_named_and_one_repeat_of_a_wrong_scale_is(machine: st
     there = readings.run == readings.run_ids.index(wrong)
     scaled = replace(readings, reading=np.where(there, 300.0, 1.0) * readings.reading)
     assert named(given, replace(given.data, readings=scaled))[:1] == (wrong,)
+
+
+@pytest.mark.parametrize("seed", [0, 2, 3])
+@pytest.mark.parametrize("run", [0, 9])
+def test_a_run_noisier_than_its_instrument_is_no_wrong_run(seed: int, run: int) -> None:
+    """Its noise is as large in what no error of a machine could be. As large and smooth it is a wrong one."""
+    given = prepared(Case(seed, design=FEW, given="exact"))
+    null = null_model(given, given.data)
+    mine, nothing = null.rows.of_run(run), np.zeros((null.rows.size, 0))
+    noise = np.random.default_rng(seed).standard_normal(null.values[mine].size)
+    name = null.rows.runs[null.rows.run[mine][0]].id
+    smooth = np.sqrt(2.0) * np.sin(null.rows.positions[null.rows.axes.index(name[0]), mine] / 40.0)
+    found = []
+    for further in (2.5 * SIGMA * noise, 10.0 * SIGMA * smooth):
+        values = null.values.copy()
+        values[mine] += further
+        found.append(misfits(replace(null, values=values), Known(nothing, nothing)))
+    assert found[0] == ()
+    assert name in found[1]
 
 
 def test_a_single_run_has_none_to_contradict() -> None:

@@ -14,6 +14,7 @@ from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.gain import VAGUE
 from trueaxis.diagnosis.instruments import WIDE
 from trueaxis.diagnosis.noise import noise_of_runs
+from trueaxis.diagnosis.noise_fit import UNEVEN
 from trueaxis.diagnosis.null import Null, lent
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import FALSE_ALARMS
@@ -23,6 +24,10 @@ from trueaxis.estimation.tails import log_f_tail
 
 MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
 CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place
+# Readings that say that a run has the noise of its instrument: the logarithm of a standard deviation that n of them
+# tell has the variance 1/(2 n).
+AS_MANY = 0.5 / UNEVEN**2
+NOISIEST = float(np.exp(3.0 * UNEVEN))  # times the noise of its instrument: what is left beyond is no noise
 MOST = 0.25  # share of the runs that may be wrong: beyond it the model is
 
 Group = tuple[int, ...]  # places of runs in the base
@@ -66,22 +71,24 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
         likeliest = min(against, key=lambda one: one.log_p, default=None)
         if likeliest is None or likeliest.log_p > -np.log(len(judged.groups)):
             break
-        wrong = judged.sure(against)
+        wrong = judged.sure(given_up)
         if not wrong:
             judged = replace(judged, null=_without(null, given_up + likeliest.group))
-            wrong = judged.sure(judged.against(given_up))
+            wrong = judged.sure(given_up)
         if not wrong:
             break
         # what is as far from a wrong run as that is from it is no worse: the wrong one is that without which all fit
         close = [one.group for one in wrong if one.squares > CLOSE * wrong[0].squares]
-        left = {one: sum(each.squares for each in judged.sure(judged.against(given_up + one))) for one in close}
+        left = {one: sum(each.squares for each in judged.sure(given_up + one)) for one in close}
         worst = min(left, key=lambda one: (left[one], len(one)))
         alike = [one for one in left if left[one] == left[worst] == 0.0 and len(one) == len(worst)]
+        judged = replace(judged, null=_without(null, given_up + worst))
+        if not judged.sure(given_up, own_noise=True):
+            break  # they may be as noisy as they are
         found += [*worst, *(place for one in alike for place in one)]
         given_up += worst
         if len(given_up) > MOST * len(null.base.runs):
             return ()
-        judged = replace(judged, null=_without(null, given_up))
     return tuple(dict.fromkeys(null.base.runs[place].rows.run.id for place in found))
 
 
@@ -94,12 +101,13 @@ class _Judged:
     columns: ByRun
     groups: Sequence[Group]
 
-    def against(self, given_up: Group) -> list[Against]:
-        return against_others(self.null, self.columns, self.groups, given_up)
+    def against(self, given_up: Group, *, own_noise: bool = False) -> list[Against]:
+        return against_others(self.null, self.columns, self.groups, given_up, own_noise=own_noise)
 
-    def sure(self, against: Sequence[Against]) -> list[Against]:
+    def sure(self, given_up: Group, *, own_noise: bool = False) -> list[Against]:
         """Groups that do not fit, the worst first."""
         limit = np.log(FALSE_ALARMS / len(self.groups))
+        against = self.against(given_up, own_noise=own_noise)
         sure = [one for one in against if one.log_p < limit and one.squares > self._least(one)]
         return sorted(sure, key=lambda one: -one.squares)
 
@@ -141,32 +149,47 @@ def _without(null: Null, given_up: Group) -> Null:
     return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.own)))
 
 
-def against_others(null: Null, columns: ByRun, groups: Sequence[Group], given_up: Group = ()) -> list[Against]:
+def against_others(
+    null: Null, columns: ByRun, groups: Sequence[Group], given_up: Group = (), *, own_noise: bool = False
+) -> list[Against]:
     """Of groups none of whose runs is given up. columns: one standard deviation each.
 
     With r what an estimate from all runs leaves of whitened readings, and A the part of their variance that it takes,
-    r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect.
+    r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect. own_noise: the noise of a
+    run is what no column can be, beside that of its instrument, and known from these readings alone.
     """
     base = null.base
     white = columns.whitened(null.whitening)
     read = np.split(null.whitening(null.values), white.starts[1:-1])
-    every = np.concatenate([few.T @ one for few, one in zip(white.few, read, strict=True)])
+    within = [few.T @ one for few, one in zip(white.few, read, strict=True)]
+    noise, own = np.ones(len(read)), np.full(len(read), np.inf)
+    if own_noise:
+        noise, own = np.transpose([_noise(one, some) for one, some in zip(read, within, strict=True)])
     run = np.repeat(np.arange(len(read)), [few.shape[1] for few in white.few])
+    every, weights = np.concatenate(within) / noise[run], white.weights / noise[run][:, np.newaxis]
     kept = ~np.isin(run, given_up)
-    r = np.linalg.qr(np.vstack([white.weights[kept], np.eye(white.weights.shape[1])]), mode="r")
-    half = solve_triangular(r, white.weights.T, trans="T")
+    r = np.linalg.qr(np.vstack([weights[kept], np.eye(weights.shape[1])]), mode="r")
+    half = solve_triangular(r, weights.T, trans="T")
     rest = every - half.T @ (half[:, kept] @ every[kept])
     freedom = {one.instrument: one.freedom for one in null.noise}
     found = []
     for group in groups:
-        own = np.isin(run, group)
-        k = int(own.sum())
+        mine = np.isin(run, group)
+        k = int(mine.sum())
         if k == 0 or set(group) & set(given_up):
             continue
-        strength, turned = np.linalg.eigh(np.eye(k) - half[:, own].T @ half[:, own])
+        strength, turned = np.linalg.eigh(np.eye(k) - half[:, mine].T @ half[:, mine])
         told = strength > 1e-9
-        squares = float(np.sum((turned.T @ rest[own])[told] ** 2 / strength[told]))
-        least = min(freedom[base.runs[place].instrument] for place in group)
+        squares = float(np.sum((turned.T @ rest[mine])[told] ** 2 / strength[told]))
+        least = min(float(own[list(group)].sum()), *(freedom[base.runs[place].instrument] for place in group))
         k = int(told.sum())
         found.append(Against(group, squares, log_f_tail(squares / k, k, least)))
     return found
+
+
+def _noise(read: FloatArray, within: FloatArray) -> tuple[float, float]:
+    """Standard deviation of whitened readings (n,) of a run, and degrees of freedom that tell it. within: (k,), their
+    part that columns may be.
+    """
+    rest, further = float(read @ read - within @ within), read.size - within.size
+    return min(float(np.sqrt((AS_MANY + rest) / (AS_MANY + further))), NOISIEST), AS_MANY + further
