@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_triangular
+from scipy.special import logsumexp
 
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.gain import VAGUE
@@ -24,10 +25,8 @@ from trueaxis.estimation.tails import log_f_tail
 
 MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
 CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place
-# Readings that say that a run has the noise of its instrument: the logarithm of a standard deviation that n of them
-# tell has the variance 1/(2 n).
-AS_MANY = 0.5 / UNEVEN**2
-NOISIEST = float(np.exp(3.0 * UNEVEN))  # times the noise of its instrument: what is left beyond is no noise
+NOISIEST = 3.0 * UNEVEN  # logarithm of the noise of a run over its instrument's: what is left beyond is no noise
+FARTHER, PLACES = 6.0, 49  # standard deviations of that logarithm over which it is averaged, and at how many values
 MOST = 0.25  # share of the runs that may be wrong: beyond it the model is
 
 Group = tuple[int, ...]  # places of runs in the base
@@ -83,7 +82,7 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
         worst = min(left, key=lambda one: (left[one], len(one)))
         alike = [one for one in left if left[one] == left[worst] == 0.0 and len(one) == len(worst)]
         judged = replace(judged, null=_without(null, given_up + worst))
-        if not judged.sure(given_up, own_noise=True):
+        if not any(one.group in left for one in judged.sure(given_up, own_noise=True)):
             break  # they may be as noisy as they are
         found += [*worst, *(place for one in alike for place in one)]
         given_up += worst
@@ -156,15 +155,16 @@ def against_others(
 
     With r what an estimate from all runs leaves of whitened readings, and A the part of their variance that it takes,
     r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect. own_noise: the noise of a
-    run is what no column can be, beside that of its instrument, and known from these readings alone.
+    run is normal in its logarithm about that of its instrument, and what no column can be tells of it.
     """
     base = null.base
     white = columns.whitened(null.whitening)
     read = np.split(null.whitening(null.values), white.starts[1:-1])
     within = [few.T @ one for few, one in zip(white.few, read, strict=True)]
-    noise, own = np.ones(len(read)), np.full(len(read), np.inf)
+    noise, spread = np.ones(len(read)), np.zeros(len(read))
     if own_noise:
-        noise, own = np.transpose([_noise(one, some) for one, some in zip(read, within, strict=True)])
+        log, spread = np.transpose([_log_noise(one, some) for one, some in zip(read, within, strict=True)])
+        noise = np.exp(log)
     run = np.repeat(np.arange(len(read)), [few.shape[1] for few in white.few])
     every, weights = np.concatenate(within) / noise[run], white.weights / noise[run][:, np.newaxis]
     kept = ~np.isin(run, given_up)
@@ -181,15 +181,29 @@ def against_others(
         strength, turned = np.linalg.eigh(np.eye(k) - half[:, mine].T @ half[:, mine])
         told = strength > 1e-9
         squares = float(np.sum((turned.T @ rest[mine])[told] ** 2 / strength[told]))
-        least = min(float(own[list(group)].sum()), *(freedom[base.runs[place].instrument] for place in group))
+        least = min(freedom[base.runs[place].instrument] for place in group)
         k = int(told.sum())
-        found.append(Against(group, squares, log_f_tail(squares / k, k, least)))
+        among = float(np.linalg.norm(spread[list(group)])) / len(group)
+        found.append(Against(group, squares, _log_p(squares / k, k, least, among)))
     return found
 
 
-def _noise(read: FloatArray, within: FloatArray) -> tuple[float, float]:
-    """Standard deviation of whitened readings (n,) of a run, and degrees of freedom that tell it. within: (k,), their
-    part that columns may be.
+def _log_noise(read: FloatArray, within: FloatArray) -> tuple[float, float]:
+    """Logarithm of the noise of a run over that of its instrument, and its standard deviation. read: (n,), whitened
+    readings; within: (k,), their part that columns may be.
     """
     rest, further = float(read @ read - within @ within), read.size - within.size
-    return min(float(np.sqrt((AS_MANY + rest) / (AS_MANY + further))), NOISIEST), AS_MANY + further
+    told = 2.0 * further  # by n squares the logarithm of a standard deviation is known to 1/(2 n), its variance
+    log = 0.5 * float(np.log(max(rest, 1e-300) / further)) if further else 0.0
+    precision = UNEVEN**-2 + told
+    return float(np.clip(told * log / precision, 0.0, NOISIEST)), precision**-0.5
+
+
+def _log_p(ratio: float, k: int, freedom: float, spread: float) -> float:
+    """Logarithm of the probability that k squares are `ratio` on average, by a noise whose logarithm is known to
+    `spread`.
+    """
+    z = np.linspace(0.0, FARTHER, PLACES) if spread else np.zeros(1)
+    weight = np.exp(-0.5 * z**2)
+    tails = [log_f_tail(ratio * float(np.exp(-2.0 * spread * one)), k, freedom) for one in z]
+    return float(logsumexp(tails, b=weight / weight.sum()))
