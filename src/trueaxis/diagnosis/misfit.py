@@ -70,19 +70,19 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
         likeliest = min(against, key=lambda one: one.log_p, default=None)
         if likeliest is None or likeliest.log_p > -np.log(len(judged.groups)):
             break
-        wrong = judged.sure(given_up)
+        wrong = judged.sure(against)
         if not wrong:
             judged = replace(judged, null=_without(null, given_up + likeliest.group))
-            wrong = judged.sure(given_up)
+            wrong = judged.sure(judged.against(given_up))
         if not wrong:
             break
         # what is as far from a wrong run as that is from it is no worse: the wrong one is that without which all fit
         close = [one.group for one in wrong if one.squares > CLOSE * wrong[0].squares]
-        left = {one: sum(each.squares for each in judged.sure(given_up + one)) for one in close}
+        left = {one: sum(each.squares for each in judged.sure(judged.against(given_up + one))) for one in close}
         worst = min(left, key=lambda one: (left[one], len(one)))
         alike = [one for one in left if left[one] == left[worst] == 0.0 and len(one) == len(worst)]
         judged = replace(judged, null=_without(null, given_up + worst))
-        if not any(one.group in left for one in judged.sure(given_up, own_noise=True)):
+        if not any(one.group in left for one in judged.sure(judged.against(given_up, own_noise=True))):
             break  # they may be as noisy as they are
         found += [*worst, *(place for one in alike for place in one)]
         given_up += worst
@@ -103,10 +103,9 @@ class _Judged:
     def against(self, given_up: Group, *, own_noise: bool = False) -> list[Against]:
         return against_others(self.null, self.columns, self.groups, given_up, own_noise=own_noise)
 
-    def sure(self, given_up: Group, *, own_noise: bool = False) -> list[Against]:
+    def sure(self, against: Sequence[Against]) -> list[Against]:
         """Groups that do not fit, the worst first."""
         limit = np.log(FALSE_ALARMS / len(self.groups))
-        against = self.against(given_up, own_noise=own_noise)
         sure = [one for one in against if one.log_p < limit and one.squares > self._least(one)]
         return sorted(sure, key=lambda one: -one.squares)
 

@@ -125,21 +125,8 @@ def test_a_campaign_goes_on_where_it_stopped(folder: Path) -> None:
 
 def test_processes_of_its_own_find_their_work(tmp_path: Path) -> None:
     """As `python -m` a package is run: what processes are given is looked for by its name. Time is up at once."""
-    words = [
-        "--out",
-        tmp_path / "out",
-        "--worlds",
-        "2",
-        "--first",
-        SMALL,
-        "--cases",
-        "1",
-        "--processes",
-        "2",
-        "--minutes",
-        "0",
-    ]
-    command = [sys.executable, "-m", "tests.worlds.diagnosis", *map(str, words)]
+    words = f"--worlds 2 --first {SMALL} --cases 1 --processes 2 --minutes 0".split()
+    command = [sys.executable, "-m", "tests.worlds.diagnosis", "--out", str(tmp_path / "out"), *words]
     done = subprocess.run(command, capture_output=True, check=False, cwd=ROOT, timeout=100)
     assert (done.returncode, done.stderr) == (0, b"")
     assert len(list((tmp_path / "out").glob("cases-*.jsonl"))) == 2
