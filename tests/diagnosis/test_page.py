@@ -17,6 +17,8 @@ from trueaxis.cli.main import main
 from trueaxis.diagnosis import checks_of_runs, gain, imperfection, search, stale, verdict
 from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnosis.base import DEGREE
+from trueaxis.diagnosis.checks import DEGREE as DEGREE_OF_LINES
+from trueaxis.diagnosis.checks import LOBES, RIPPLE
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
@@ -185,15 +187,16 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "farther from the null model than noise takes any of all readings in one data set of "
-        f"{WORDS[outliers.EXPECTED]}",
-        f"What their repeats share, more than {SHARES[outliers.SHARED]} of it, is structure and stays, "
+        f"too far from the null model: noise exceeds the limit in one data set of {WORDS[outliers.EXPECTED]}",
+        f"A deviation of which the repeats share more than {SHARES[outliers.SHARED]} is structure and stays, "
         f"as do {AFTER[outliers.NEIGHBOURS]} in a row",
         f"The scale of a laser ({1e6 * CLASSES['laser scale'].size:g} um/m) and its cosine "
         f"({1e6 * CLASSES['laser cosine'].size:g} um/m)",
         f"in one of {1 / stale.FALSE_ALARMS:.0f} data sets".replace("100000", "100 000"),
         "the change exceeds twice its standard uncertainty" if stale.CHANGED == 2.0 else "?",
         f"polynomial of degree {DEGREE},",
+        f"Lobes have 1 to {LOBES} undulations per revolution of a circle, ripple {LOBES + 1} to {RIPPLE}. "
+        f"On a line, ripple has {2 * DEGREE_OF_LINES + 1} to {RIPPLE} half periods",
         f"sqrt({DETECTION:g} / lambda)",
         f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",
         f"leaves less than {UNOBSERVABLE:.0e} of its squares".replace("e-09", "e-9"),
