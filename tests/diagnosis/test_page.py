@@ -103,8 +103,8 @@ def test_the_readme_shows_what_its_commands_print(tmp_path: Path) -> None:
     true = deviation(tmp_path / "examples" / "worn_mill_errors.json")
     off = [deviation(tmp_path / name) - true for name in ("found/errors.json", "errors.json")]
     figures = [f"{1e3 * np.sqrt(np.mean(one**2)):.2f} um" for one in off]
-    assert f"the volume, {figures[0]} off, those of `identify`" in " ".join(README.split())
-    assert f"for errors of the geometry, {figures[1]}." in " ".join(README.split())
+    assert f"Over the volume its values are {figures[0]} off at the tool" in " ".join(README.split())
+    assert f"for errors of the geometry, are {figures[1]} off." in " ".join(README.split())
 
 
 def deviation(errors: Path) -> FloatArray:
