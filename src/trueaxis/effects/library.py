@@ -58,7 +58,7 @@ KINDS: tuple[Kind, ...] = (
         parameters=(Parameter(name="coefficient", unit="u/axis/K", meaning="expansion per kelvin"),),
         sentence="a scale or screw that grows with its temperature",
         confused_with="warm_up; scale of the axis, unless the temperature varies",
-        broken_by="a swing of temperature within a line; lines repeated at other temperatures",
+        broken_by="a change of temperature within a line; lines repeated at other temperatures",
         directions=("along",),
     ),
     Kind(
@@ -91,7 +91,7 @@ KINDS: tuple[Kind, ...] = (
         place="component",
         expression="rate*t",
         parameters=(Parameter(name="rate", unit="u/s", meaning="change per second"),),
-        sentence="something creeps while it is measured: temperature, foundation, fixture",
+        sentence="something drifts during the measurement: temperature, foundation, fixture",
         confused_with="thermal_offset, where the temperature follows the time",
         broken_by="a temperature channel",
         directions=ALL_DIRECTIONS,
@@ -104,7 +104,7 @@ KINDS: tuple[Kind, ...] = (
             Parameter(
                 name="tau",
                 unit="s",
-                meaning="time by which the axis follows behind its command, beyond that of the others",
+                meaning="time by which the axis lags its command, beyond that of the other axes",
             ),
         ),
         sentence="following error of the position loop; only its difference between axes shows in a circle",
@@ -118,7 +118,7 @@ KINDS: tuple[Kind, ...] = (
         expression="height*direction*exp(-d/decay)",
         parameters=(
             Parameter(name="height", unit="u", meaning="height right after the reversal"),
-            Parameter(name="decay", unit="axis", meaning="way over which it dies away", role="grid", grid="reversal"),
+            Parameter(name="decay", unit="axis", meaning="distance over which it decays", role="grid", grid="reversal"),
         ),
         sentence="friction that the position loop has to overcome at a reversal (quadrant glitch)",
         confused_with="backlash; reversal_spike_time and reversal_spike_path, on circles of one radius and feed",
@@ -131,7 +131,7 @@ KINDS: tuple[Kind, ...] = (
         expression="height*direction*exp(-d_time/tau)",
         parameters=(
             Parameter(name="height", unit="u", meaning="height right after the reversal"),
-            Parameter(name="tau", unit="s", meaning="time over which it dies away", role="grid", grid="reversal_time"),
+            Parameter(name="tau", unit="s", meaning="time over which it decays", role="grid", grid="reversal_time"),
         ),
         sentence="friction at a reversal that the integral part of the control loop overcomes: as long at any feed",
         confused_with="backlash; reversal_spike and reversal_spike_path, on circles of one radius and feed",
@@ -147,7 +147,7 @@ KINDS: tuple[Kind, ...] = (
             Parameter(
                 name="decay",
                 unit="mm",
-                meaning="way along the path over which it dies away",
+                meaning="distance along the path over which it decays",
                 role="grid",
                 grid="reversal_path",
             ),
@@ -164,7 +164,7 @@ KINDS: tuple[Kind, ...] = (
         parameters=(Parameter(name="k", unit="u", meaning="value at the far ends of both travels"),),
         sentence="a body that bends under another one: the component error of one axis "
         "depends on where another axis stands",
-        confused_with="the like of another component, where the lever is the same",
+        confused_with="the same effect of another component, where the sensitivity to both is alike",
         broken_by="lines at three offsets or more",
         directions=ALL_DIRECTIONS,
         other_axis=True,
@@ -208,7 +208,7 @@ KINDS: tuple[Kind, ...] = (
         name="reading_zero",
         place="reading",
         expression="zero",
-        parameters=(Parameter(name="zero", unit="mm", meaning="what is added to all readings of the runs"),),
+        parameters=(Parameter(name="zero", unit="mm", meaning="value added to all readings of the runs"),),
         sentence="the readings were zeroed elsewhere than the set-up says, or the instrument was touched between runs",
         confused_with="what the machine does between home and the first target",
         broken_by="the run repeated with a new zero",
@@ -221,7 +221,7 @@ KINDS: tuple[Kind, ...] = (
         expression="slope*along_line",
         parameters=(
             Parameter(
-                name="slope", unit="1", meaning="what readings grow by per way along the line of the motion, mm/mm"
+                name="slope", unit="1", meaning="change of the reading per displacement along the line of the motion, mm/mm"
             ),
         ),
         sentence="the reference line of a straightness run (its optics, a straightedge) is not parallel to the motion",
@@ -236,7 +236,7 @@ KINDS: tuple[Kind, ...] = (
         place="point",
         expression="",
         parameters=(
-            Parameter(name="x", unit="mm", meaning="by which the point is off along X of its body's frame"),
+            Parameter(name="x", unit="mm", meaning="offset of the point along X of its body's frame"),
             Parameter(name="y", unit="mm", meaning="the same along Y"),
             Parameter(name="z", unit="mm", meaning="the same along Z"),
         ),
@@ -251,7 +251,7 @@ KINDS: tuple[Kind, ...] = (
         place="reading",
         expression="length",
         parameters=(Parameter(name="length", unit="mm", meaning="actual minus nominal length of the bar"),),
-        sentence="the bar is longer than it is said to be (shorter, where the length is negative)",
+        sentence="the bar is longer than stated (shorter, where the length is negative)",
         confused_with="laser_scale; scale of all axes",
         broken_by="the bar calibrated",
         instruments=("ballbar",),
@@ -261,7 +261,7 @@ KINDS: tuple[Kind, ...] = (
         place="point",
         expression="",
         parameters=(
-            Parameter(name="x", unit="mm", meaning="by which the ball is off along X of its body's frame"),
+            Parameter(name="x", unit="mm", meaning="offset of the ball along X of its body's frame"),
             Parameter(name="y", unit="mm", meaning="the same along Y"),
             Parameter(name="z", unit="mm", meaning="the same along Z"),
         ),
@@ -287,8 +287,8 @@ KINDS: tuple[Kind, ...] = (
         name="squareness",
         place="location",
         expression="",
-        parameters=(Parameter(name="angle", unit="rad", meaning="position error of the axis"),),
-        sentence="a position error of the joint that the spec leaves out",
+        parameters=(Parameter(name="angle", unit="rad", meaning="location error of the axis"),),
+        sentence="a location error of the axis that the spec leaves out",
         confused_with="slope of the straightness (a matter of convention)",
         directions=("turn",),
     ),

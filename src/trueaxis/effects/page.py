@@ -12,7 +12,7 @@ _PLACES = {
     "component": "Terms of component errors",
     "reading": "Terms of readings",
     "point": "Points of the set-up",
-    "location": "Position errors",
+    "location": "Location errors",
 }
 
 
@@ -20,26 +20,27 @@ INSTRUMENTS = {"laser": "laser", "probe": "probe", "ballbar": "ball bar"}
 _ENTERS = {"linear": "linear", "phase": "phase", "root": "its square", "grid": "otherwise, searched on a grid"}
 
 _INTRODUCTION = """
-What goes wrong between a machine, its instruments and its model, beside the geometric errors. A machine spec names the
-effects that it has ([machine.md](machine.md#effects)); `trueaxis diagnose` searches all kinds of this page, and the
-spec's own, for those that measured data show; the zero and the slope of runs, of which every set-up has some, it takes
-up without a name for them. A term is written once, in the variables below; what it does to each
-instrument follows from the derivation: the sensitivity of the reading to the component error, times the term.
+Effects are causes of deviations beside the geometric errors: in the machine, in the instruments, in the set-up. A machine
+spec names the effects that the machine has ([machine.md](machine.md#effects)). `trueaxis diagnose` searches measured data
+for all kinds of this page and the spec's own kinds. The zero and the slope of runs are part of every set-up: it estimates
+them, and names one only where it is far larger than usual. A term is written once, in the variables below. Its
+contribution to a reading follows from the derivation: the sensitivity of the reading to the component error, times the
+term.
 
 Units: `u` is that of the component error (mm or rad), `axis` that of its axis (mm or deg).
 """
 _LOCATION = """
-Its value stands among the `parameters` of the error values, under the name of the effect's component: `EC0X`.
+Its value is one of the `parameters` of the error values, under the name of the effect's component: `EC0X`.
 """
 _VARIABLES = """
-A term of a component error uses those of its axis (of another axis too, with `_b`, where the kind takes one), time and
-temperature; a term of readings uses `along`, `theta`, `along_line`, time and temperature.
+A term of a component error uses the variables of its axis, time and temperature; if the kind has another axis, also
+those of that axis, with `_b`. A term of readings uses `along`, `theta`, `along_line`, time and temperature.
 """
 _EXPRESSIONS = f"""
 Numbers, names, `+ - * / ^`, parentheses, `pi` and the functions {" ".join(f"`{name}`" for name in FUNCTIONS)}.
 `step(x)` is 1 for x >= 0 and 0 below, `sign(0)` is 0. A minus sign binds less than `^`: `-s^2` is `-(s^2)`. An exponent
-is a whole number from 1 to {LARGEST_EXPONENT}; powers within one another, as in `((q^3)^2)^2`, multiply to at most
-{HIGHEST_DEGREE}. At most, an expression has {LONGEST} characters, and {DEEPEST} levels of
+is a whole number from 1 to {LARGEST_EXPONENT}; nested powers, as in `((q^3)^2)^2`, multiply to at most
+{HIGHEST_DEGREE}. An expression has at most {LONGEST} characters, and {DEEPEST} levels of
 parentheses, functions and minus signs.
 """
 

@@ -29,12 +29,12 @@ class Variable:
 OF_AXIS = (
     Variable("q", "axis", "q", "commanded position of the axis"),
     Variable("s", "1", "s", "share of its travel, 0 at the lower end and 1 at the upper"),
-    Variable("direction", "1", r"\sigma", "direction by which the axis came: +1, -1, 0 before it has moved"),
-    Variable("v", "axis/s", "v", "its velocity while the reading is taken, 0 where it stands"),
+    Variable("direction", "1", r"\sigma", "direction of the last motion of the axis: +1, -1, 0 before it has moved"),
+    Variable("v", "axis/s", "v", "velocity of the axis while the reading is taken, 0 where it stands"),
     Variable("d", "axis", "d", "distance since its last reversal, 1e9 before the first"),
     Variable("d_time", "s", r"\Delta t", "time since its last reversal, 1e9 before the first"),
     Variable(
-        "d_path", "mm", "p", "way along the path of all linear axes since its last reversal, 1e9 before the first"
+        "d_path", "mm", "p", "distance along the path of all linear axes since its last reversal, 1e9 before the first"
     ),
 )
 OF_OTHER_AXIS = tuple(
@@ -43,13 +43,13 @@ OF_OTHER_AXIS = tuple(
 
 OF_TIME = (
     Variable("t", "s", "t", "time of the reading"),
-    Variable("T", "K", "T", "temperature less 20 degC"),
+    Variable("T", "K", "T", "temperature minus 20 degC"),
 )
 
 OF_READING = (
-    Variable("along", "mm", r"\ell", "ideal displacement that the instrument senses, since home"),
+    Variable("along", "mm", r"\ell", "ideal displacement in the sensitive direction, since home"),
     Variable("theta", "rad", r"\theta", "polar angle of a ball bar in the plane of its circle"),
-    Variable("along_line", "mm", "w", "ideal way of laser or probe along the line of the motion, since home"),
+    Variable("along_line", "mm", "w", "ideal displacement of laser or probe along the line of the motion, since home"),
 )
 OF_COMPONENT_TERMS = (*OF_AXIS, *OF_OTHER_AXIS, *OF_TIME)
 OF_READING_TERMS = (*OF_READING, *OF_TIME)

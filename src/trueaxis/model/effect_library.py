@@ -272,7 +272,7 @@ def effect_backlash(context, parameters):
     Source: backlash = width/2*direction. Operations: 2 per point.
 
     Arguments (float64):
-        context (1, n): direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
+        context (1, n): direction: direction of the last motion of the axis: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
             rows: direction
         parameters (1,): width: lost motion: jump between the two directions of approach (u: unit of the component, axis: of its axis) [u]
             rows: width
@@ -301,7 +301,7 @@ def effect_backlash_slope(context, parameters):
     Source: backlash_slope = change*direction*(s - 1/2). Operations: 4 per point.
 
     Arguments (float64):
-        context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
+        context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction of the last motion of the axis: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
             rows: s direction
         parameters (1,): change: change of half the lost motion from one end of the travel to the other (u: unit of the component, axis: of its axis) [u]
             rows: change
@@ -367,7 +367,7 @@ def effect_thermal_expansion(context, parameters):
     Source: thermal_expansion = coefficient*q*T. Operations: 2 per point.
 
     Arguments (float64):
-        context (2, n): q: commanded position of the axis; T: temperature less 20 degC (u: unit of the component, axis: of its axis) [axis, K]
+        context (2, n): q: commanded position of the axis; T: temperature minus 20 degC (u: unit of the component, axis: of its axis) [axis, K]
             rows: q T
         parameters (1,): coefficient: expansion per kelvin (u: unit of the component, axis: of its axis) [u/axis/K]
             rows: coefficient
@@ -397,7 +397,7 @@ def effect_thermal_offset(context, parameters):
     Source: thermal_offset = coefficient*T. Operations: 1 per point.
 
     Arguments (float64):
-        context (1, n): T: temperature less 20 degC (u: unit of the component, axis: of its axis) [K]
+        context (1, n): T: temperature minus 20 degC (u: unit of the component, axis: of its axis) [K]
             rows: T
         parameters (1,): coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of its axis) [u/K]
             rows: coefficient
@@ -453,7 +453,7 @@ def effect_warm_up(context, parameters):
 
 
 def effect_drift(context, parameters):
-    """Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture.
+    """Term of the effect drift: something drifts during the measurement: temperature, foundation, fixture.
 
     Source: drift = rate*t. Operations: 1 per point.
 
@@ -487,9 +487,9 @@ def effect_servo_lag(context, parameters):
     Source: servo_lag = -tau*v. Operations: 3 per point.
 
     Arguments (float64):
-        context (1, n): v: its velocity while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
+        context (1, n): v: velocity of the axis while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
             rows: v
-        parameters (1,): tau: time by which the axis follows behind its command, beyond that of the others (u: unit of the component, axis: of its axis) [s]
+        parameters (1,): tau: time by which the axis lags its command, beyond that of the other axes (u: unit of the component, axis: of its axis) [s]
             rows: tau
 
     Returns:
@@ -516,9 +516,9 @@ def effect_reversal_spike(context, parameters):
     Source: reversal_spike = height*direction*exp(-d/decay). Operations: 7 per point.
 
     Arguments (float64):
-        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
+        context (2, n): direction: direction of the last motion of the axis: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
             rows: direction d
-        parameters (2,): height: height right after the reversal; decay: way over which it dies away (u: unit of the component, axis: of its axis) [u, axis]
+        parameters (2,): height: height right after the reversal; decay: distance over which it decays (u: unit of the component, axis: of its axis) [u, axis]
             rows: height decay
 
     Returns:
@@ -548,9 +548,9 @@ def effect_reversal_spike_time(context, parameters):
     Source: reversal_spike_time = height*direction*exp(-d_time/tau). Operations: 7 per point.
 
     Arguments (float64):
-        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d_time: time since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, s]
+        context (2, n): direction: direction of the last motion of the axis: +1, -1, 0 before it has moved; d_time: time since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, s]
             rows: direction d_time
-        parameters (2,): height: height right after the reversal; tau: time over which it dies away (u: unit of the component, axis: of its axis) [u, s]
+        parameters (2,): height: height right after the reversal; tau: time over which it decays (u: unit of the component, axis: of its axis) [u, s]
             rows: height tau
 
     Returns:
@@ -580,9 +580,9 @@ def effect_reversal_spike_path(context, parameters):
     Source: reversal_spike_path = height*direction*exp(-d_path/decay). Operations: 7 per point.
 
     Arguments (float64):
-        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d_path: way along the path of all linear axes since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, mm]
+        context (2, n): direction: direction of the last motion of the axis: +1, -1, 0 before it has moved; d_path: distance along the path of all linear axes since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, mm]
             rows: direction d_path
-        parameters (2,): height: height right after the reversal; decay: way along the path over which it dies away (u: unit of the component, axis: of its axis) [u, mm]
+        parameters (2,): height: height right after the reversal; decay: distance along the path over which it decays (u: unit of the component, axis: of its axis) [u, mm]
             rows: height decay
 
     Returns:
@@ -642,7 +642,7 @@ def effect_laser_cosine(context, parameters):
     Source: laser_cosine = -angle^2/2*along. Operations: 6 per point.
 
     Arguments (float64):
-        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+        context (1, n): along: ideal displacement in the sensitive direction, since home [mm]
             rows: along
         parameters (1,): angle: angle between beam and motion [rad]
             rows: angle
@@ -671,7 +671,7 @@ def effect_laser_scale(context, parameters):
     Source: laser_scale = k*along. Operations: 1 per point.
 
     Arguments (float64):
-        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+        context (1, n): along: ideal displacement in the sensitive direction, since home [mm]
             rows: along
         parameters (1,): k: relative error of all laser distances [1]
             rows: k
@@ -730,9 +730,9 @@ def effect_reading_zero(context, parameters):
     Source: reading_zero = zero. Operations: 0 per point.
 
     Arguments (float64):
-        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+        context (1, n): along: ideal displacement in the sensitive direction, since home [mm]
             rows: along
-        parameters (1,): zero: what is added to all readings of the runs [mm]
+        parameters (1,): zero: value added to all readings of the runs [mm]
             rows: zero
 
     Returns:
@@ -758,9 +758,9 @@ def effect_reading_slope(context, parameters):
     Source: reading_slope = slope*along_line. Operations: 1 per point.
 
     Arguments (float64):
-        context (1, n): along_line: ideal way of laser or probe along the line of the motion, since home [mm]
+        context (1, n): along_line: ideal displacement of laser or probe along the line of the motion, since home [mm]
             rows: along_line
-        parameters (1,): slope: what readings grow by per way along the line of the motion, mm/mm [1]
+        parameters (1,): slope: change of the reading per displacement along the line of the motion, mm/mm [1]
             rows: slope
 
     Returns:
@@ -782,7 +782,7 @@ def effect_reading_slope(context, parameters):
 
 
 def effect_ballbar_length(context, parameters):
-    """Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
+    """Term of the effect ballbar_length: the bar is longer than stated (shorter, where the length is negative).
 
     Source: ballbar_length = length. Operations: 0 per point.
 
