@@ -389,7 +389,7 @@ class TestRun:
         assert sorted(path.name for path in out.iterdir()) == ["diagnosis.json", "errors.json", "report.html"]
         shown = capsys.readouterr()
         assert shown.out.startswith("no_discrepancy")
-        assert f"left from before, no part of this diagnosis: {out / 'errors.json'}" in shown.out
+        assert f"left from before, not part of this diagnosis: {out / 'errors.json'}" in shown.out
         assert shown.err == ""
 
     def test_structure_that_nothing_explains_is_1(self, plan: Path, tmp_path: Path) -> None:

@@ -280,7 +280,7 @@ def test_options_of_the_least_squares_name_what_replaces_them(capsys: pytest.Cap
     assert plan(RUNS, "--degree", "3", "--ideal-instruments", "--unknown-linkage-lines", "--unknown-zeros") == 2
     error = capsys.readouterr().err
     for said in (
-        "--degree: is no option any more",
+        "--degree: is no longer an option",
         "[prior]",
         "[device]",
         "--unknown-linkage-lines",

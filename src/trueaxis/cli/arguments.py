@@ -106,9 +106,7 @@ def _finite(text: str, right: str, good: Callable[[float], bool]) -> float:
 
 def misfit_option(parser: argparse.ArgumentParser) -> None:
     """Add the option to a command."""
-    parser.add_argument(
-        OPTION, action="store_true", help="take error values that do not fit the readings they come from"
-    )
+    parser.add_argument(OPTION, action="store_true", help="accept error values that do not fit their readings")
 
 
 def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
@@ -116,6 +114,6 @@ def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
     parser.add_argument(
         ACCEPT_U,
         action="store_true",
-        help=f"write {what} also where the noise of the readings is larger than the correction (root mean squares); so "
-        "does --max-u, which then decides alone",
+        help=f"write {what} even if the noise of the readings contributes more than the correction (root mean "
+        "squares); --max-u replaces this check by its own",
     )

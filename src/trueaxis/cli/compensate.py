@@ -28,51 +28,50 @@ from trueaxis.model.uncertainty import covariance_file, load_uncertainty
 from trueaxis.reporting.reliance import refusal_sentences
 
 _DESCRIPTION = """\
-Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
-no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
-would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, until the tool axis points where it would.
+Rewrite an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors no
+longer move the tool: the commands are iterated until the actual tool point is where that of an error-free machine
+would be (Eqs. 55, 56). With --orientation correct rotary axes turn too, until the tool axis points where it would.
 Positions in the program are axis positions (machine coordinates), or those of work offsets that --offset, --offsets
 or the program give; --tools gives tool lengths.
 
-Blocks that move nothing come back byte for byte. Arcs stay arcs where they can (--arcs); lines are cut where the
-errors along them bend; canned cycles are written out. Whatever moves or shifts axes in a way that is not followed
-(macros, cutter radius compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is
-written. So is an M code that does not mean the same on every control, unless --pass-m names it, and a number without a
-decimal point, unless --integers says what it counts.
-An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
-spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
-gets no word: before that, feed motions are right in the axes that are commanded, and --start must say where the others
-stand if it matters. What is written holds a mark in a comment, and a program with the mark is refused: compensated
-twice, every correction would double.
-"""
+Blocks that move nothing stay as they are, byte for byte. Arcs stay arcs where possible (--arcs); lines are cut where
+the errors along them bend; canned cycles are written out. Codes that move or shift axes in a way that is not followed
+(macros, cutter radius compensation, mirror, scaling, rotated frames ...) are faults with their lines, and nothing is
+written. So are M codes that do not mean the same on every control, unless --pass-m names them, and numbers without a
+decimal point, unless --integers gives their unit.
+
+An axis has no known position until the program gives it one. Rapids before that are compensated as if the other axes
+stood at [start] of the spec, else at home; --start states where they stand. An axis that the program has not commanded
+in this frame gets no word: feed motions before that are right in the axes that are commanded, and --start must state
+the position of the others if it matters. The output has a mark in a comment, and a program with the mark is refused:
+compensated twice, every correction would double."""
 
 _EPILOG = """\
 Write negative coordinates with an equals sign: --ball=-10,0,5.
 
 words: `nearest` rounds. With --ball, `ends` chooses among the words within one step of the wanted position those whose
-error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
+error is perpendicular to the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
 steps can be reached: the smallest error, at the price of up to twice the blocks.
 
 effects of the spec ([[effect]]) are compensated where they depend on positions, directions of approach, distances
 since a reversal and velocity (F); the report names each. At a reversal a short block takes up the lost motion. Effects
-of time and temperature take --time and --temperature, the same for the whole program.
+of time and temperature need --time and --temperature, the same for the whole program.
 
 orientation: words of 0.0001 deg leave up to 1.3 urad where two rotary axes turn the tool axis; --rotary-resolution
-sets their step. Where the tool axis comes within 0.57 deg of the line of a rotary axis (a singular pose), one direction
-of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
-lines.
+sets their step. Where the tool axis is within 0.57 deg of parallel to a rotary axis (a singular pose), it cannot be
+corrected in one direction without a large turn: the rotary axis then keeps its programmed position, and the report
+names the lines.
 
-exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
-at whose end their words stop (see the report), or nothing was written: refused for its uncertainty or by
---max-correction; 2 the input is wrong and nothing was written.
-"""
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel, at whose end
+their words stop (see the report), or nothing was written: refused for its uncertainty or by --max-correction; 2 the
+input is wrong and nothing was written."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command's options."""
     parser = subparsers.add_parser(
         "compensate",
-        help="rewrite an NC program so that geometric errors are undone",
+        help="rewrite an NC program so that geometric errors are compensated",
         description=_DESCRIPTION,
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -91,7 +90,9 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("program", type=Path, metavar="PROGRAM", help="NC program or APT CL file")
     parser.add_argument("--out", type=file_to_write, required=True, metavar="PROGRAM", help="NC program to write")
-    parser.add_argument("--format", choices=("nc", "apt"), help="of the program; default: by extension and content")
+    parser.add_argument(
+        "--format", choices=("nc", "apt"), help="format of the program (default: by extension and content)"
+    )
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
@@ -112,14 +113,14 @@ def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
                         help="iterate, or correct once (default %(default)s)")  # fmt: skip
     parser.add_argument("--arcs", choices=get_args(Arcs), default=default.arcs,
-                        help="arcs stay arcs, cut where the shifted points are on none, or all become chords "
+                        help="arcs stay arcs, cut where the shifted points lie on none, or all become chords "
                         "(default %(default)s)")  # fmt: skip
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
-                        help="how words are chosen, see below (default %(default)s)")  # fmt: skip
+                        help="choice of words, see below (default %(default)s)")  # fmt: skip
     parser.add_argument("--ball", type=_point, metavar="X,Y,Z",
-                        help="centre of the workpiece ball, workpiece frame: reports E of Eq. (6)")  # fmt: skip
+                        help="centre of the workpiece ball, workpiece frame, for E of Eq. (6)")  # fmt: skip
     parser.add_argument("--tool-point", type=_point, default=default.tool_point, metavar="X,Y,Z",
-                        help="the point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
+                        help="point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
     parser.add_argument("--orientation", choices=("keep", "correct"), default=default.orientation,
                         help="correct with the linear axes alone, or turn rotary axes too so that the tool axis points "
                         "as on the error-free machine (default %(default)s)")  # fmt: skip
@@ -138,18 +139,18 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--temperature", type=float, metavar="C",
                         help="degC at which the program runs, for effects that depend on it (default 20)")  # fmt: skip
     parser.add_argument("--time", type=float, metavar="S",
-                        help="time since start, for effects that depend on it (default: left alone)")  # fmt: skip
+                        help="time since start, for effects that depend on it (default: not compensated)")  # fmt: skip
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
-                        help="what motions in / blocks are (default %(default)s)")  # fmt: skip
+                        help="treatment of motions in / blocks (default %(default)s)")  # fmt: skip
     parser.add_argument("--dialect", choices=get_args(Dialect),
-                        help="the control's language: what codes, T and X100 mean (default: siemens or heidenhain "
-                        "where the program can be nothing else, otherwise not known)")  # fmt: skip
+                        help="language of the control, for the meaning of codes, T and X100 (default: siemens or "
+                        "heidenhain if the program can be nothing else, otherwise unknown)")  # fmt: skip
     parser.add_argument("--via-linuxcnc", type=Path, nargs="?", const=Path("/"), metavar="DIR",
-                        help="have LinuxCNC's interpreter unroll macros, subprograms and cutter compensation "
-                        "first; DIR: where the Debian package linuxcnc-uspace is, if not in /")  # fmt: skip
+                        help="expand macros, subprograms and cutter compensation with LinuxCNC's interpreter "
+                        "first; DIR: folder of the Debian package linuxcnc-uspace, if not /")  # fmt: skip
     parser.add_argument("--integers", choices=get_args(Integers),
-                        help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
-                        "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
+                        help="unit of numbers without a decimal point: mm (inch, deg), or least increments of "
+                        "0.001 mm (0.0001 inch, 0.001 deg); default: mm if --dialect is linuxcnc, siemens or "
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control; 0, 1 or 6: where axes stay "
@@ -160,7 +161,7 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
     """Work offsets and tools of the control."""
     parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
                         help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
-                        "known only roughly: the report says what 10 mm cost. A range like X0:500 asks for the worst "
+                        "known only roughly: the report says what 10 mm change. A range like X0:500 gives the worst "
                         "case")  # fmt: skip
     parser.add_argument("--offsets", type=Path, metavar="FILE",
                         help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
@@ -172,12 +173,12 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
 def _add_limits(parser: argparse.ArgumentParser) -> None:
     """What is refused, and what is accepted nevertheless."""
     parser.add_argument("--max-u", type=size, metavar="MM",
-                        help="write nothing, exit code 1, where a standard uncertainty of the tool point, relative to "
-                        "home, is larger at a place of the program; what is not known or not determined counts as "
+                        help="write nothing, exit code 1, if a standard uncertainty of the tool point, relative to "
+                        "home, is larger anywhere in the program; unknown or not determined counts as "
                         "infinite")  # fmt: skip
     parser.add_argument("--max-correction", type=positive, metavar="MM",
-                        help="write nothing, exit code 1, where a correction is larger (default: three times what "
-                        "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
+                        help="write nothing, exit code 1, if a correction is larger (default: three times the tool "
+                        "point error that errors of the sizes in [prior] of the spec cause)")  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the program")
     add_draws(parser, of_program=True)

@@ -14,10 +14,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         help="the whole job on the paper's machine, with pictures",
         description="Derive the model of the paper's machine, simulate laser readings with noise, identify the errors "
         "three ways (the paper's plan by its stepwise method and by the estimate, and a plan of the same measuring "
-        "time that `plan` proposes), and say what each leaves of the error of the tool. Then, at the noise that the "
-        "paper's residuals imply, compensate its S path and its ball-bar circle beside its own figures. Every step is "
-        "a command that is shown as you would type it; results and pictures are left in OUT. With --seeds the three "
-        "ways alone, over many seeds, at noise from 0.01 to 3 um.",
+        "time that `plan` proposes), and give the error of the tool that remains with each. Then, at the noise that "
+        "the paper's residuals imply, compensate its S path and its ball-bar circle, and compare with its own figures. "
+        "Every step is a command, shown as you would type it; results and pictures are written to OUT. With --seeds "
+        "only the three ways, over many seeds, at noise from 0.01 to 3 um.",
         epilog="exit code: 0 done, 1 a step failed",
     )
     parser.add_argument("--out", type=Path, default=Path("results"), help="folder for everything (%(default)s)")

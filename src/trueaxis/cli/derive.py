@@ -24,7 +24,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "derive",
         help="derive a machine's model: NumPy and C kernels, readable equations",
         description="Derive the error model of a machine from its spec and write OUT/NAME/: kernels.py, kernels.c, "
-        "kernels.h, equations.md, manifest.json; of a machine with three linear axes control.c and control.h as well.",
+        "kernels.h, equations.md, manifest.json; for a machine with three linear axes control.c and control.h as well.",
         epilog="exit code: 0 written (or up to date), 1 --check found differences, 2 the spec is wrong",
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
@@ -32,7 +32,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "--out", type=Path, default=Path("generated"), help="folder of generated machines (%(default)s)"
     )
     parser.add_argument(
-        "--check", action="store_true", help="write nothing; say how OUT differs from what would be written"
+        "--check", action="store_true", help="write nothing; list the differences of OUT from what would be written"
     )
     parser.add_argument(
         "--runs",

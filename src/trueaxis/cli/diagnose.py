@@ -25,15 +25,15 @@ if TYPE_CHECKING:
     from trueaxis.derivation.systems import RunPattern
 
 DESCRIPTION = """\
-Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
-servo lag, a laser or ball bar that is off ...) those that explain what the model with its error values leaves of the
-readings, each with size, uncertainty, evidence, and rivals that the readings cannot tell it from. --out gets
-diagnosis.json and report.html and, where causes were named, the extended model, ready for every other command:
-NAME.toml (the spec with [[effect]] tables), errors.json (its values, identified anew) and generated/NAME/."""
+Name what the model of a machine lacks. The residuals of the readings are searched for the causes of the effect library
+(backlash, cyclic errors, thermal growth, servo lag, a laser or ball bar that is off ...). Each cause is reported with
+its size, uncertainty and evidence, and with rivals that the readings cannot distinguish from it. --out gets
+diagnosis.json and report.html and, if causes were named, the extended model for all other commands: NAME.toml (the spec
+with [[effect]] tables), errors.json (its values, identified again) and generated/NAME/."""
 
 EPILOG = """\
 exit code: 0 the readings are noise, or named causes or a recalibration explain them; 1 several causes explain them
-alike, or nothing that is known does; 2 the input is wrong and nothing was written"""
+alike, or no known cause does; 2 the input is wrong and nothing was written"""
 
 NO_ANSWER = ("ambiguous", "unexplained_structure")
 
@@ -45,7 +45,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument(
-        "--errors", type=Path, metavar="E.json", help="its error values (default: all zero, as of a machine as built)"
+        "--errors", type=Path, metavar="E.json", help="its error values (default: all zero, the nominal machine)"
     )
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be written")
@@ -76,7 +76,7 @@ def run(args: argparse.Namespace) -> int:
     print(done, end="")
     print(f"written: {', '.join(map(named, done.files))}")
     if left := left_behind(args.out, done):
-        print(f"left from before, no part of this diagnosis: {', '.join(map(named, left))}")
+        print(f"left from before, not part of this diagnosis: {', '.join(map(named, left))}")
     return 1 if done.verdict in NO_ANSWER else 0
 
 

@@ -16,14 +16,14 @@ def add_draws(parser: argparse.ArgumentParser, *, of_program: bool = False) -> N
     group = parser.add_argument_group("draws (GUM Supplement 1)")
     group.add_argument(
         "--draws", type=whole(2, MOST_DRAWS), metavar="N",
-        help="draw the error values N times from what is known of them, all together, and give mean, standard "
-        "deviation, 2.5 %% and 97.5 %% of each coordinate and of the length of the error vector; where u, which is "
-        "linear, says something else, that is said; 1000000 for two digits of the ends",
+        help="draw all error values N times from their covariance, and give mean, standard deviation, 2.5 %% and 97.5 "
+        "%% quantiles of each coordinate and of the length of the error vector; a note says whether they agree with u, "
+        "which is linear; 1000000 for two digits of the quantiles",
     )  # fmt: skip
-    group.add_argument("--seed", type=whole(0), metavar="S", help="of the random numbers (0)")
+    group.add_argument("--seed", type=whole(0), metavar="S", help="seed of the random numbers (0)")
     group.add_argument(
         "--noise-um", type=noise_or_none, metavar="S",
-        help="standard deviation of what does not repeat of the tool point, in each coordinate, um (0)",
+        help="standard deviation of the repeatability of the tool point, in each coordinate, um (0)",
     )  # fmt: skip
     group.add_argument(
         "--u-temperature", type=size, metavar="K",
@@ -32,13 +32,12 @@ def add_draws(parser: argparse.ArgumentParser, *, of_program: bool = False) -> N
     if of_program:
         group.add_argument(
             "--draws-out", type=file_to_write, metavar="FILE",
-            help="table to write, .parquet or .csv: what is left of the error of the tool at the places of the program",
+            help="table to write, .parquet or .csv: the remaining error of the tool at points of the program",
         )  # fmt: skip
     else:
         group.add_argument(
             "--either-direction", action="store_const", const=True,
-            help="draw from which side axes came where that is not given, for effects that depend on it, such as "
-            "backlash",
+            help="draw the approach directions that are not given, for effects that depend on them, such as backlash",
         )  # fmt: skip
     group.add_argument(
         "--workers", type=whole(1, MOST_WORKERS), metavar="N",

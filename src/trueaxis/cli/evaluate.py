@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Evaluate a test by what its file holds. A positioning test of a linear axis or, with --rotary, of a rotary one by ISO
-230-2:2014 (k = 2): at each target mean deviations, reversal value, standard uncertainty and repeatability; of the axis
-B, R, E, M and A, by direction and for both, and the figures of VDI/DGQ 3441; beyond 2000 mm or 360 deg one approach of
-each target may do, which has no R and A. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or
-forward, -1 or backward: how the target was approached) and measured, in mm; or a .dat file with TGT_DATA[i],
-REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are
-made of, by size: squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch,
+Evaluate a standard test; the file decides which. A positioning test of a linear axis or, with --rotary, of a rotary one
+by ISO 230-2:2014 (k = 2): for each target mean deviations, reversal value, standard uncertainty and repeatability; for
+the axis B, R, E, M and A, by direction and for both, and the figures of VDI/DGQ 3441. Beyond 2000 mm or 360 deg one
+approach of each target may do, which gives no R and A. DATA is a table (.csv, .parquet) with columns target, cycle,
+direction (of the approach: +1 or forward, -1 or backward) and measured, in mm; or a .dat file with TGT_DATA[i],
+REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that cause the
+deviations, by size: squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch,
 straightness, cyclic error. DATA are tables of a ball bar (columns angle, and deviation or radius), a file or a column
-run for each sense."""
+run for each sense of rotation."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -48,7 +48,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--swap-directions",
         action="store_true",
-        help="what DATA labels forward was approached in the negative direction",
+        help="readings that DATA labels forward were approached in the negative direction",
     )
     parser.add_argument(
         "--rotary",
@@ -57,12 +57,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     )
     parser.add_argument(
         "--plane", choices=PLANES,
-        help="of a circular test; angles count from the first axis to the second (XY)",
+        help="plane of a circular test; angles count from the first axis to the second (XY)",
     )  # fmt: skip
     parser.add_argument("--radius", type=positive, metavar="MM", help="of a circular test: nominal length of the bar")
-    parser.add_argument(
-        "--feed", type=positive, metavar="MM_MIN", help="of a circular test, where DATA does not say it"
-    )
+    parser.add_argument("--feed", type=positive, metavar="MM_MIN", help="of a circular test, if DATA does not give it")
     parser.add_argument(
         "--map", type=key_value, action="extend", nargs="+", default=[], metavar="KEY=VALUE",
         help="of a circular test: columns and units that the headers do not say, as import takes them",
@@ -80,7 +78,7 @@ def run(args: argparse.Namespace) -> int:
     )  # fmt: skip
     done = evaluated(args.data, options, option, found)
     if args.picture is not None and not done.has_picture:
-        problem = f"{done.source} has one cycle, which tells no bands"
+        problem = f"{done.source} has one cycle, which gives no bands"
         raise InputError([Fault("--picture", "", problem, "leave it out: a picture needs two cycles or more")])
     contents: dict[Path, bytes | str] = {}
     if args.out is not None:

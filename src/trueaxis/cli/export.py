@@ -23,50 +23,51 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Write error values as compensation tables that a control reads, or (linuxcnc-kins) as a module that it runs. The command
-says what of the model they hold, how large the deviations of the tool point are over the travel, and what is left of
-them, as the control would interpolate. docs/controllers has a page for each format: its source, the sign with a number,
-limits, how to load it, how to verify it by measuring again, how to take it off."""
+says which errors of the model they contain, how large the deviations of the tool point are over the travel, and what
+remains of them with the interpolation of the control. docs/controllers has a page for each format: its source, the sign
+with an example, limits, how to load it, how to verify it by measuring again, how to remove it."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
         "export", help="error values as compensation tables of a control", description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 refused for its uncertainty, by --max-correction, or since more would be left "
-        "with the tables than without, nothing is written; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 refused for its uncertainty, by --max-correction, or because the error would be "
+        "larger with the tables than without, nothing is written; 2 the input is wrong",
     )  # fmt: skip
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
-    parser.add_argument("--format", choices=FORMATS, required=True, help="of the control")
+    parser.add_argument("--format", choices=FORMATS, required=True, help="format of the control")
     parser.add_argument(
         "--out", type=Path, required=True, metavar="PATH",
         help="file to write; a folder for heidenhain-com, linuxcnc-comp and linuxcnc-kins",
     )  # fmt: skip
     parser.add_argument(
         "--step", type=positive, metavar="MM",
-        help="largest distance of the positions of a table, mm or deg (default: the finest round one with up to 200)",
+        help="largest distance between positions of a table, mm or deg (default: the finest round one with up to 200 "
+        "positions)",
     )  # fmt: skip
     parser.add_argument(
         "--tool-point", type=tool_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
-        help="the point in the tool frame that tables of single axes are made for, of linuxcnc-kins the point from "
-        "which tool lengths are measured, mm (0,0,0)",
+        help="point in the tool frame for which tables of single axes are made; for linuxcnc-kins the point from which "
+        "tool lengths are measured, mm (0,0,0)",
     )  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the tables")
     parser.add_argument(
         ACCEPT_WORSE, action="store_true",
-        help="write tables with which more is left over the travel than without them, such as one of several that are "
-        "loaded together",
+        help="write tables with which the error over the travel is larger than without them, such as one of several "
+        "that are loaded together",
     )  # fmt: skip
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
-        help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
-        "to home, is larger; what is not known or not determined counts as infinite",
+        help="write nothing, exit code 1, if a standard uncertainty of the tool point within the travel, relative "
+        "to home, is larger; unknown or not determined counts as infinite",
     )  # fmt: skip
     parser.add_argument(
         "--max-correction", type=positive, metavar="MM",
-        help="write nothing, exit code 1, where the tool point is off by more than this from home (default: three "
-        "times what [prior] of the spec lets expect there)",
+        help="write nothing, exit code 1, if the tool point is off by more, relative to home (default: three times "
+        "what [prior] of the spec expects there)",
     )  # fmt: skip
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"

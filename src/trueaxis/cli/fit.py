@@ -19,19 +19,19 @@ from trueaxis.model.model import MachineModel, load_errors
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
 
 DESCRIPTION = """\
-Replace the curves of an error-values file by optimal polynomials that are zero at home, as in Sect. 4: the order by the
-mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both tests pass.
---statistics shows all figures. Curves are tables (method stepwise) or the Legendre curves of the estimate
-(method global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve stays
-as it is where it rests on the prior, or where no significant polynomial is within half its standard uncertainty; the
-picture shows the first kind dashed, with a band."""
+Replace the curves of error values by optimal polynomials that are zero at home, as in Sect. 4 of the paper: the order
+by the mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both tests
+pass. --statistics shows all figures. Curves are tables (method stepwise) or the Legendre curves of the estimate (method
+global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve stays as it is
+if it rests on the prior (dashed in the picture, with a band), or if no significant polynomial is within half its
+standard uncertainty."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Declare the command."""
     parser = subparsers.add_parser(
         "fit",
-        help="identified curves to optimal polynomials, with their statistics",
+        help="replace identified curves by optimal polynomials, with their statistics",
         description=DESCRIPTION,
         epilog="exit code: 0 done; 1 a table has no significant polynomial, or refused by --max-u; "
         "2 the input is wrong",
@@ -51,8 +51,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
-        help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
-        "to home, is larger; what is not known or not determined counts as infinite",
+        help="write nothing, exit code 1, if a standard uncertainty of the tool point within the travel, relative "
+        "to home, is larger; unknown or not determined counts as infinite",
     )  # fmt: skip
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR",

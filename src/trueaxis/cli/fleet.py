@@ -16,23 +16,25 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Identify, diagnose and document many machines. FLEET.toml has a table [[machine]] for each: id, spec, errors (the values
-that its control has now), data (a folder, a list of folders, or a pattern such as "data/M17/2026-*", dated by their
+active on its control now), data (a folder, a list of folders, or a pattern such as "data/M17/2026-*", dated by their
 names), tasks (of identify, diagnose, report; default identify); paths are relative to the file. --out gets
 results.parquet (a row for each machine and folder of data), index.html (what has changed and by how many standard
 uncertainties, which machines share a cause, which failed and why) and, in machines/ID/FOLDER/, the files that the
-single commands write. What is unchanged since it was done is not done again, and a run that was stopped goes on where
-it was. The work is done by processes of this computer, or by those of a running Dask scheduler; it needs the extra
-trueaxis[cluster]."""
+single commands write. Unchanged work is not repeated, and a run that was stopped continues where it was. The work is
+done by processes of this computer, or by those of a running Dask scheduler; it needs the extra trueaxis[cluster]."""
 
 EPILOG = """\
-exit code: 0 every row is done; 1 rows have faults, a machine that fails does not end the others; 2 the fleet file is
+exit code: 0 every row is done; 1 rows have faults (a machine that fails does not end the others); 2 the fleet file is
 wrong, or no scheduler answers, and nothing was written"""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
-        "fleet", help="do the above for many machines and many days", description=DESCRIPTION, epilog=EPILOG
+        "fleet",
+        help="identify, diagnose and document many machines over many days",
+        description=DESCRIPTION,
+        epilog=EPILOG,
     )
     parser.add_argument("fleet", type=Path, metavar="FLEET.toml", help="the machines")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be written")
@@ -42,15 +44,15 @@ def add_parser(subparsers: "Subparsers") -> None:
     )  # fmt: skip
     parser.add_argument(
         "--memory", type=_memory, metavar="GB",
-        help="memory of each of them: who takes more is ended and started again; a machine that needs more three times "
-        "over is a row that says so (default: that of the computer in equal parts)",
+        help="memory of each process: one that needs more is ended and started again; a machine that needs more three "
+        "times gets a row that says so (default: that of the computer in equal parts)",
     )  # fmt: skip
     parser.add_argument(
         "--scheduler", metavar="ADDRESS",
         help="a running Dask scheduler, such as tcp://10.0.0.5:8786, whose workers do the work; they must see the same "
         "files at the same paths",
     )  # fmt: skip
-    parser.add_argument("--again", action="store_true", help="do also what is unchanged since it was done")
+    parser.add_argument("--again", action="store_true", help="repeat unchanged work, too")
     parser.set_defaults(run=run)
 
 

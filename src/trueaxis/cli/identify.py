@@ -34,13 +34,14 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Find the motion and location errors of a machine from readings. Method global estimates all errors from all readings at
-once, ball bar included, with what may be expected of them ([prior] of the spec) and what nobody knows of instruments;
-noise, sizes of errors and outliers are found from the readings. Method stepwise, the paper's, goes point by point and
-step by step: each run gives the components that it alone still holds, at every position, with those found before. Both
-work on the exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure:
-exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or
-its residuals are far from the noise that is stated or that repeats show, and the values are written as a misfit."""
+Find the error motions and location errors of a machine from readings, on the exact model, with standard uncertainties.
+Method global estimates all errors from all readings at once, with a prior ([prior] of the spec) and with the unknowns
+of the instruments. It estimates noise and sizes of errors from the readings, and leaves out outliers. Method stepwise
+is the paper's: point by point, run by run; each run gives the components that are not yet known from those before. The
+report says what the readings do not determine; that alone is no failure (exit code 0). Exit code 1: the readings
+determine nothing at all; or the fit has not converged, and nothing is written; or the fit is a misfit, whose values are
+written and marked: residuals far above the noise that is stated or that repeats show, misread runs, or runs that
+contradict the others."""
 DEFAULT: Literal["convention"] = "convention"
 MISFIT_USE = "compensate, fit and export take these values with --accept-misfit only"
 STEPWISE, GLOBAL = "stepwise", "global"
@@ -67,13 +68,13 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
         "--known",
         type=Path,
         metavar="E.json",
-        help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
+        help="known error values, which are not identified: dimensions, location errors, whole components",
     )
     parser.add_argument(
         "--covariance",
         type=file_to_write,
         metavar="FILE.npz",
-        help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
+        help="file for the covariance of the values (default: --out with the ending .npz)",
     )
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
@@ -94,33 +95,33 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
         "--prior",
         choices=("spec", "none"),
         default="spec",
-        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none "
-        "expects nothing (least squares): what the readings do not determine is zero and said",
+        help="method global: spec (default): errors have the sizes of [prior], which the readings correct; none: no "
+        "prior (least squares), errors that the readings do not determine are zero and are named",
     )
     parser.add_argument(
         "--squareness",
         type=_squareness_option,
         default=DEFAULT,
         metavar="convention|known|from-angles",
-        help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
-        "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
-        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; sect36 is its old name)",
+        help="source of the squareness: convention (default): the slope of the straightness, whose least-squares lines "
+        "are level as in ISO 230-1; known: the file --known (zero if not in it); from-angles: the yaw and pitch "
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; old name sect36)",
     )
     parser.add_argument(
         "--noise-um",
         type=noise_option,
         default=NoiseModel(),
         metavar="S",
-        help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (instruments or "
-        "runs, which weigh the readings), or repeats, repeats-by-run: from repeated readings of each instrument, of "
-        "each run (else from what is left over, all readings equal)",
+        help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (by instrument or "
+        "run), or repeats, repeats-by-run: from repeated readings of each instrument, of each run (default: from "
+        "[device] tables, else from the residuals)",
     )
     add_noise_urad(parser)
     parser.add_argument(
         "--curves",
         choices=("table", "polynomial", "held-out"),
-        help="method stepwise: components as tables of the measured positions (default), polynomials by the paper's "
-        "procedure, or polynomials whose order held-out positions choose",
+        help="method stepwise: components as tables of the measured positions (default), as polynomials by the paper's "
+        "procedure, or as polynomials whose order is chosen by held-out positions",
     )
     parser.add_argument(
         "--degree",
@@ -132,11 +133,11 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
         "--instruments",
         choices=("real", "ideal"),
         default="real",
-        help="method global: what is unknown of the instruments: real (default): zero and drift of every run, slope of "
+        help="method global: unknowns of the instruments: real (default): zero and drift of every run, slope of "
         "straightness lines, centre and length of ball bars, zero and centre of probes, scale and alignment of lasers; "
-        "ideal: nothing",
+        "ideal: none",
     )
-    parser.add_argument("--robust", help="gone: outliers are left out without it")
+    parser.add_argument("--robust", help="no longer an option: outliers are always left out")
 
 
 def run(args: argparse.Namespace) -> int:
@@ -204,8 +205,8 @@ def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, k
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
     if args.robust is not None:
-        remedy = "leave it out: readings that no noise explains are left out without it, and counted in the report"
-        found.append(Fault("--robust", "", "is an option no more", remedy))
+        remedy = "remove it: outliers are always left out, and counted in the report"
+        found.append(Fault("--robust", "", "is no longer an option", remedy))
     choice = MethodChoice(
         method="stepwise" if args.method == STEPWISE else "global", squareness=args.squareness, curves=args.curves,
         known=args.known is not None, noise=replace(args.noise_um, urad=args.noise_urad), degree=args.degree,
@@ -272,5 +273,7 @@ def _squareness_option(text: str) -> str:
 def _degree_option(text: str) -> int:
     """An order of curves; `auto` has been replaced by what may be expected of curves."""
     if text == "auto":
-        raise argparse.ArgumentTypeError("auto is replaced by --prior spec, which expects smooth curves; or a number")
+        raise argparse.ArgumentTypeError(
+            "auto is no longer a value: --prior spec keeps curves smooth; or give a number"
+        )
     return whole(1, HIGHEST_DEGREE)(text)

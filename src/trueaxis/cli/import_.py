@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Bring files of instruments into a folder of measured data: Renishaw .rtl, positioning tests of ISO 230-2 (.dat, tables),
-tables of a ball bar (angle and deviation or radius) and any table with named columns and units; with points or commas
+Convert files of instruments to a folder of measured data: Renishaw .rtl, positioning tests of ISO 230-2 (.dat, tables),
+tables of a ball bar (angle and deviation or radius) and any table with named columns and units, with points or commas
 in numbers and any separator. What a file does not say (the point that was measured, where the other axes stood, the
-axis that moved) comes from --map, or is asked for on a terminal; it is written into setup.toml, marked as assumed."""
+axis that moved) comes from --map, or is asked for on a terminal. Defaults are written into setup.toml, marked as
+assumed."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -35,15 +36,15 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("files", type=Path, nargs="+", metavar="FILE", help="files of instruments")
     parser.add_argument("--machine", type=Path, required=True, metavar="M.toml", help="the machine spec")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder of measured data, to be written")
-    parser.add_argument("--format", choices=FORMATS, help="of all files (default: as their content shows)")
+    parser.add_argument("--format", choices=FORMATS, help="format of all files (default: by their content)")
     parser.add_argument(
         "--map", type=key_value, action="extend", nargs="+", default=[], metavar="KEY=VALUE",
-        help="what the files do not say, such as axis=X target.point=0,0,-150 at.Y=200; RUN:KEY=VALUE for one run, or "
-        "for the runs of one file by its name without suffix",
+        help="keys that the files do not give, such as axis=X target.point=0,0,-150 at.Y=200; RUN:KEY=VALUE for one "
+        "run, or for the runs of one file by its name without suffix",
     )  # fmt: skip
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR",
-        help="folder of derived kernels, for where the ball of a ball bar stands (%(default)s)",
+        help="folder of derived kernels, for the position of the workpiece ball of a ball bar (%(default)s)",
     )  # fmt: skip
     parser.set_defaults(run=run)
 

@@ -12,14 +12,16 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Write the spec of a new machine with all error components and the usual location errors, and NAME_errors.json, error
-values that are all zero. What the structure code does not say (where rotary axes lie, which way commands count) is in
-the spec as comments. docs/machine.md has every key."""
+values that are all zero. Comments in the spec mark what the structure code does not say (positions of rotary axes,
+directions of commands). docs/machine.md has every key."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser("init", help="the spec of a new machine, with zero errors", description=DESCRIPTION)
-    parser.add_argument("spec", type=file_to_write, metavar="NAME.toml", help="the spec, to be written; no old file")
+    parser.add_argument(
+        "spec", type=file_to_write, metavar="NAME.toml", help="the spec to write; the file must not exist"
+    )
     parser.add_argument(
         "--structure", required=True, metavar="CODE",
         help='order of the axes, such as "[w C\' Y\' b X Z t]" (ISO 10791-6), YFXZ or XZ+YC',

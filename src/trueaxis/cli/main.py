@@ -52,14 +52,14 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
         prog="trueaxis",
         description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
         "errors from laser, ball-bar and probe data, compensate its NC programs, name what the model lacks.",
-        epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no, or "
-        "standard output could not take it; 2 the input is wrong, every fault is listed, no output file was touched.",
+        epilog="trueaxis COMMAND --help describes each. Exit codes: 0 done; 1 done, and the answer is no, or standard "
+        "output was closed or full; 2 the input is wrong, every fault is listed, no output file was touched.",
     )
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     parser.add_argument(
         "--print-completion", action=Completion, metavar="SHELL",
-        help="print what completes words of this command in bash, zsh or tcsh, and end; needs the package shtab",
+        help="print the completion script for bash, zsh or tcsh, and end; needs the package shtab",
     )  # fmt: skip
     for name in commands:
         importlib.import_module(module_of(name)).add_parser(subparsers)
@@ -199,7 +199,7 @@ class Completion(argparse.Action):
 def _add_verbosity(parser: argparse.ArgumentParser) -> None:
     """Add both options. Neither has a default: that of a command would undo what stands before it."""
     for short, long, what in (
-        ("-v", "--verbose", "say what is read, done and written, on standard error"),
+        ("-v", "--verbose", "list what is read, done and written, on standard error"),
         ("-q", "--quiet", "no warnings and no progress on standard error; faults stay, and the report with its notes"),
     ):
         parser.add_argument(

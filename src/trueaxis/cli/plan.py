@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Say what the runs of --data will tell, before any reading is taken (readings that are there are not looked at): the
-standard uncertainty to expect of every error and of the tool point over the volume, what of it rests on [prior] of the
-spec, what is known only in combination, whether repeats tell the noise, the order of blocks for --method stepwise.
---propose N adds the runs that lower the uncertainty most per minute. --with, without --data, makes a first plan from
-nothing. Exit code 1 where the runs tell nothing."""
+Say how well the runs of --data will determine the errors, before any reading is taken (readings in the folder are
+ignored): the standard uncertainty of every error and of the tool point over the volume, and the part of it that rests
+on [prior] of the spec; errors known only in combination; whether repeats determine the noise; the order of blocks for
+--method stepwise. --propose N adds the runs that lower the uncertainty most per minute. --with, without --data, makes a
+first plan. Exit code 1: the runs determine nothing."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -46,7 +46,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     _add_proposals(parser)
     _add_outputs(parser)
     for name, retired in RETIRED.items():
-        parser.add_argument(name, help=f"gone: {retired.instead}", **retired.argument)
+        parser.add_argument(name, help=f"no longer an option: {retired.instead}", **retired.argument)
     parser.set_defaults(run=run)
 
 
@@ -60,27 +60,27 @@ def _add_given(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--hours", type=positive, metavar="H",
-        help="of measuring time for it (default: until no run lowers the uncertainty by a hundredth)",
+        help="measuring time of the first plan (default: until no run lowers the uncertainty by a hundredth)",
     )  # fmt: skip
     parser.add_argument(
         "--runs", nargs="+", default=[], metavar="ID", help="judge these runs only (default: all of the folder)"
     )
     parser.add_argument(
         "--noise-um", type=noise_option, default=NoiseModel(), metavar="S",
-        help="standard deviation of a reading, um, or of those of instruments or runs: laser=0.3,ballbar=0.5 (default: "
-        "as [device] tables say, else 1)",
+        help="standard deviation of a reading, um; by instrument or run: laser=0.3,ballbar=0.5 (default: from "
+        "[device] tables, else 1)",
     )  # fmt: skip
     add_noise_urad(parser)
     parser.add_argument(
-        "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
+        "--known", type=Path, metavar="E.json", help="known error values: dimensions, location errors, components"
     )
     parser.add_argument(
         "--effects", type=Path, metavar="E.json",
-        help="values of effects of the spec to plan for, where how well they are told depends on how large they are "
-        "(default: such as change a reading by 5 um)",
+        help="values of effects of the spec to plan for, if their uncertainty depends on their size (default: effects "
+        "that change a reading by 5 um)",
     )  # fmt: skip
     parser.add_argument(
-        "--location-errors-only", action="store_true", help="motion errors are no unknowns: known, or left at zero"
+        "--location-errors-only", action="store_true", help="error motions are no unknowns: known, or zero"
     )
     parser.add_argument(
         "--tool-point", type=tool_point, action="append", default=[], metavar="X,Y,Z",
@@ -92,21 +92,21 @@ def _add_proposals(parser: argparse.ArgumentParser) -> None:
     """Which runs are proposed."""
     parser.add_argument(
         "--propose", type=whole(1, MOST_PROPOSED), metavar="N",
-        help="choose the N runs that add most per minute; with --out, write them",
+        help="choose the N runs that lower the uncertainty most per minute; with --out, write them",
     )  # fmt: skip
     parser.add_argument(
         "--propose-with", nargs="+", choices=WITH_CANDIDATES, default=[], metavar="NAME",
-        help="of the runs to propose: laser, ballbar, probe, angle (default: those of the plan)",
+        help="instruments of the runs to propose: laser, ballbar, probe, angle (default: those of the plan)",
     )  # fmt: skip
     parser.add_argument(
         "--for", default=VOLUME, metavar="NAME", dest="wanted",
-        help="what proposed runs are to tell best: volume (default: the tool point over the volume), a component such "
-        "as EYX, or a location error",
+        help="error that proposed runs are to determine best: volume (default: the tool point over the volume), a "
+        "component such as EYX, or a location error",
     )  # fmt: skip
     parser.add_argument(
         "--datum", choices=("home", "best-fit"), default="home",
-        help="what the tool point is known against by proposed runs: the tool point at home (default), or a workpiece "
-        "placed where it fits best: balls and beams do not see a turn of the whole volume",
+        help="reference of the tool point for proposed runs: the tool point at home (default), or a workpiece placed "
+        "where it fits best (balls and beams do not see a rotation of the whole volume)",
     )  # fmt: skip
 
 
@@ -211,7 +211,7 @@ RETIRED = {
 def _faults_of_options(args: argparse.Namespace, request: PlanRequest) -> list[Fault]:
     """All of them; nothing is read for it."""
     found = [
-        Fault(option, "", f"is no option any more: {one.why}", one.instead)
+        Fault(option, "", f"is no longer an option: {one.why}", one.instead)
         for option, one in RETIRED.items()
         if getattr(args, option[2:].replace("-", "_")) is not None
     ]

@@ -23,13 +23,13 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
-tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
-warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
-written as dx, dy, dz (mm, workpiece frame) behind the columns of the row, and its standard uncertainty as u_dx, u_dy,
-u_dz: empty where it is not known, or where the deviation rests on values that no reading determined. u_prior_dx,
-u_prior_dy, u_prior_dz are the part of it that rests on [prior] of the spec; the rest comes from the readings, and the
-squares of both parts add up."""
+Predict where the tool point really is, for each row of --at. The columns of --at are axis positions (mm, rotary axes
+deg); optionally tool_x, tool_y, tool_z, the point in the tool frame, mm; and, for machines with effects, dir_X ...
+(direction of approach), time_s and temperature_c. The deviation, actual minus ideal on the exact model, is written
+after these columns as dx, dy, dz (mm, workpiece frame), and its standard uncertainty as u_dx, u_dy, u_dz. u is empty
+where it is unknown, or where the deviation rests on values that no reading determined. u_prior_dx, u_prior_dy,
+u_prior_dz are the part of u that rests on [prior] of the spec, the rest comes from the readings; the squares of both
+parts add up."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -42,18 +42,18 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
     parser.add_argument(
         "--covariance", type=Path, metavar="FILE.npz",
-        help="covariance of the error values (default: the file that they name, else their own uncertainties)",
+        help="covariance of the error values (default: the file that they name, else their stated uncertainties)",
     )  # fmt: skip
     parser.add_argument(
         "--datum", choices=("machine", "home", "best-fit"), default="machine",
-        help="what deviations and their uncertainties are relative to: the error-free machine; the tool point at home "
-        "(every axis at 0, or at the end of its travel next to it), where work offsets are touched off; or the rigid "
-        "placement of the workpiece, a shift and a small rotation, that fits the points best (%(default)s)",
+        help="reference of deviations and uncertainties: the error-free machine; the tool point at home (every axis "
+        "at 0, or at the nearest end of its travel), where work offsets are touched off; or the rigid placement of the "
+        "workpiece, a shift and a small rotation, that fits the points best (%(default)s)",
     )  # fmt: skip
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
-        help="write nothing, exit code 1, where a standard uncertainty is larger; what is not known or not determined "
-        "counts as infinite",
+        help="write nothing, exit code 1, if a standard uncertainty is larger; unknown or not determined counts as "
+        "infinite",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="OUT", help="table to write, .csv or .parquet"

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Write error values as a document of two printed pages: every error with its standard uncertainty and by what it is
-determined, the deviation of the tool point over the volume as figures and maps; beside an older file, what has changed,
-by how much and by how many standard uncertainties."""
+Write error values as a document of two printed pages: every error with its standard uncertainty and what determines it,
+and the deviation of the tool point over the volume in figures and maps. With an older file it also shows what has
+changed, by how much and by how many standard uncertainties."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:

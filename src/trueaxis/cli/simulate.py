@@ -19,17 +19,16 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Fill in a measuring plan: every row of readings.csv in --data whose reading is empty gets what the instrument would
-read on the exact model, plus Gaussian noise on request; effects of the machine act as directions, feeds, times and
-temperatures of the plan say. Rows with a reading keep it unless --replace is given. The
-folder --out gets readings.csv and a copy of setup.toml. Where setup.toml names a compensation that is active, readings
-are those of the compensated machine."""
+Fill in a measuring plan: every row of readings.csv in --data with an empty reading gets what the instrument would read
+on the exact model, plus Gaussian noise if requested. Effects of the machine follow the directions, feeds, times and
+temperatures of the plan. Rows with a reading keep it unless --replace is given. The folder --out gets readings.csv and
+a copy of setup.toml. If setup.toml names an active compensation, readings are those of the compensated machine."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
-        "simulate", help="readings made from error values and a measuring plan", description=DESCRIPTION
+        "simulate", help="make readings from error values and a measuring plan", description=DESCRIPTION
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
@@ -47,10 +46,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         type=noise_or_none,
         default=0.0,
         metavar="S",
-        help="the same of readings of angle instruments, microradians (0)",
+        help="the same for angle instruments, microradians (0)",
     )
     parser.add_argument("--seed", type=whole(0), default=0, metavar="N", help="seed of the noise (%(default)s)")
-    parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")
+    parser.add_argument("--replace", action="store_true", help="replace existing readings, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )

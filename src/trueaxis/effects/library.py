@@ -221,7 +221,9 @@ KINDS: tuple[Kind, ...] = (
         expression="slope*along_line",
         parameters=(
             Parameter(
-                name="slope", unit="1", meaning="change of the reading per displacement along the line of the motion, mm/mm"
+                name="slope",
+                unit="1",
+                meaning="change of the reading per displacement along the line of the motion, mm/mm",
             ),
         ),
         sentence="the reference line of a straightness run (its optics, a straightedge) is not parallel to the motion",

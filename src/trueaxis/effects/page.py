@@ -20,12 +20,12 @@ INSTRUMENTS = {"laser": "laser", "probe": "probe", "ballbar": "ball bar"}
 _ENTERS = {"linear": "linear", "phase": "phase", "root": "its square", "grid": "otherwise, searched on a grid"}
 
 _INTRODUCTION = """
-Effects are causes of deviations beside the geometric errors: in the machine, in the instruments, in the set-up. A machine
-spec names the effects that the machine has ([machine.md](machine.md#effects)). `trueaxis diagnose` searches measured data
-for all kinds of this page and the spec's own kinds. The zero and the slope of runs are part of every set-up: it estimates
-them, and names one only where it is far larger than usual. A term is written once, in the variables below. Its
-contribution to a reading follows from the derivation: the sensitivity of the reading to the component error, times the
-term.
+Effects are causes of deviations beside the geometric errors: in the machine, in the instruments, in the set-up. A
+machine spec names the effects that the machine has ([machine.md](machine.md#effects)). `trueaxis diagnose` searches
+measured data for all kinds of this page and the spec's own kinds. The zero and the slope of runs are part of every
+set-up: it estimates them, and names one only where it is far larger than usual. A term is written once, in the
+variables below. Its contribution to a reading follows from the derivation: the sensitivity of the reading to the
+component error, times the term.
 
 Units: `u` is that of the component error (mm or rad), `axis` that of its axis (mm or deg).
 """
