@@ -44,7 +44,7 @@ def test_the_worst_runs_have_a_line_and_the_others_are_counted(known: bool) -> N
     assert float(worst[2]) / float(worst[3]) == pytest.approx(float(worst[4]), rel=0.02)
     assert worst[-1] == "unusual"
     assert sum("run-" in line for line in lines) == WORST
-    assert "  and 35 more, all within what noise gives" in lines
+    assert "  and 35 more, all within the noise" in lines
 
 
 def test_noise_alone_is_seldom_unusual() -> None:

@@ -47,7 +47,7 @@ def test_says_what_the_papers_runs_will_tell(tmp_path: Path, capsys: pytest.Capt
     text = capsys.readouterr().out
     assert "Z-7 Z-8 Z-9 -> EZZ EAZ EBZ: RANK 2 OF 3 at a position" in text
     assert "the points of Z-8 and Z-9 have the same x and y" in " ".join(text.split())
-    assert "nothing is repeated: the noise has to come from what the errors leave over" in " ".join(text.split())
+    assert "nothing is repeated: identify takes the noise from the residuals" in " ".join(text.split())
     assert max(len(line) for line in text.splitlines()) <= 120
     found = report(out)["expected"]
     states = {one["name"]: one["state"] for one in found["components"]}

@@ -171,9 +171,9 @@ def test_the_command_says_it_in_words(
     assert code == 0
     # lines in one direction: a jump between home and the first target, as any curve may have
     assert "backlash EXX: width" in text
-    assert "no run tells it from the errors of the machine" in text
-    assert "warm_up EYY: cannot be told in advance: column time_s is missing or has gaps" in text
-    assert "servo_lag EXX: no reading holds it" in text
+    assert "no run separates it from the errors of the machine" in text
+    assert "warm_up EYY: cannot be predicted: column time_s is missing or has gaps" in text
+    assert "servo_lag EXX: no reading depends on it" in text
     assert "(assumed: --effects)" in text
     states = {one["effect"]: one["state"] for one in tree["expected"]["effects"]}
     assert list(states) == ["backlash EXX", "cyclic EZZ", "warm_up EYY", "servo_lag EXX"]

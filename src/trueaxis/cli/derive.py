@@ -67,7 +67,7 @@ def run(args: argparse.Namespace) -> int:
         print(f"{done.folder} is what {args.machine} derives to")
         return 0
     print(
-        f"{machine.title}: axes {' '.join(machine.axes)}, {len(machine.components)} motion errors, "
+        f"{machine.title}: axes {' '.join(machine.axes)}, {len(machine.components)} error motions, "
         f"{len(machine.location_errors)} location errors"
     )
     print("lower-body array over the bodies (bed first):")

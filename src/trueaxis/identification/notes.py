@@ -195,7 +195,7 @@ def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
         yield (
             f"{enumerated(lines)}: lines of straightness are taken as aligned to {size * 1e6:.2g} urad, which the "
             "readings make likely; squareness and directions from home rest on that. Lines that were turned until both "
-            "ends read alike tell nothing of them: state line_u_urad = 1000 of their [device] in setup.toml"
+            "ends read alike say nothing of these: state line_u_urad = 1000 of their [device] in setup.toml"
         )
 
 

@@ -41,16 +41,16 @@ def report_text(report: IdentificationReport) -> str:
         said = (f"{group.group} {group.noise_um:.4g} {group.unit}" for group in report.noise_groups)
         lines += _wrapped(", ".join(said), "noise by group:")
     if report.left_out:
-        lines.append(f"left out (this method uses laser and probe runs alone): {', '.join(report.left_out)}")
+        lines.append(f"left out (this method uses only laser and probe runs): {', '.join(report.left_out)}")
     if report.noise_um is None:
-        lines.append("standard uncertainties are not given: the noise is unknown (--noise-um gives it)")
+        lines.append("no standard uncertainties: the noise is unknown (state it with --noise-um)")
     if report.blocks:
         lines += ["", "solved, in this order:"]
     lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
     if report.locations:
         lines += ["", "location errors:"]
         lines += [_location(location) for location in report.locations]
-    lines += ["", "motion errors over the measured positions:" if report.blocks else "motion errors over the travel:"]
+    lines += ["", "error motions over the measured positions:" if report.blocks else "error motions over the travel:"]
     lines += [_component(component) for component in report.components]
     if report.effects:
         lines += ["", "effects (U: expanded uncertainty, k = 2):"]
@@ -59,9 +59,9 @@ def report_text(report: IdentificationReport) -> str:
         lines += ["", "unknowns of the instruments:"]
         lines += [line for one in report.instruments for line in _instrument(one)]
     if report.curve_orders:
-        lines += ["", "powers of the polynomials, and rms at positions held out:"]
+        lines += ["", "powers of the polynomials, and rms at held-out positions:"]
         lines += [_curve_order(one) for one in report.curve_orders]
-    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing at all is left open"]
+    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
     lines += _known_of_tool(report)
@@ -118,8 +118,8 @@ def fit_text(judged: FitQuality) -> str:
         return f"converged, {chi2}"
     return (
         f"converged, {chi2}: the residuals are {ratio:.2g} times the noise. The model lacks something that these "
-        "readings show, by no more than 1 % of what [prior] lets expect of them or three times the noise; u, which "
-        "follows from the noise, is too small; diagnose tells more"
+        "readings show, by at most three times the noise or 1 % of what [prior] expects of them; u, which follows from "
+        "the noise, is too small; diagnose tells more"
     )
 
 
@@ -248,7 +248,7 @@ def runs_table(runs: Sequence[RunResidual]) -> list[str]:
     rest = runs[WORST:]
     if rest and known:
         many = sum(one.unusual for one in rest)
-        within = "all within what noise gives" if not many else f"{many} of them unusual"
+        within = "all within the noise" if not many else f"{many} of them unusual"
         lines.append(f"  and {len(rest)} more, {within}")
     elif rest:
         lines.append(f"  and {len(rest)} more")

@@ -16,7 +16,7 @@ DETERMINED_BY: dict[Determined, str] = {
     "partly": "partly by the prior",
     "prior": "by the prior alone",
 }
-IN_COMBINATION = "known only in combination (before straightness and squareness are parted by convention)"
+IN_COMBINATION = "known only in combination (before the convention separates straightness and squareness)"
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
 

@@ -19,11 +19,11 @@ from trueaxis.planning.report import LocationSet, Redundant
 
 DEPENDENT = 1e-7  # share of a column that others leave over, below which they stand for it
 TOOL_POINT = (23.0, 41.0, -97.0)  # mm: a point in no special place, so that every dimension counts
-PLACEMENTS = (  # in words, and whether the workpiece may be placed anyhow
-    ("workpiece and tool where they should be", False),
-    ("workpiece placed anyhow", True),
+PLACEMENTS = (  # in words, and whether the workpiece may be placed freely
+    ("workpiece and tool at their nominal places", False),
+    ("workpiece placed freely", True),
     ("tool point anywhere", False),
-    ("workpiece placed anyhow, tool point anywhere", True),
+    ("workpiece placed freely, tool point anywhere", True),
 )
 MOST_POINTS = 4096
 

@@ -30,8 +30,8 @@ from trueaxis.planning.report import (
 )
 
 WIDTH = 110
-STATES = {"silent": "no reading holds it", "given": "given"}
-APART = "no run tells it from the errors of the machine: u would be a tenth or less if they were known"
+STATES = {"silent": "no reading depends on it", "given": "given"}
+APART = "no run separates it from the errors of the machine: u would be a tenth or less if they were known"
 LEVEL = "least-squares lines of the straightness are level (ISO 230-1): the location errors take their slopes"
 
 
@@ -77,10 +77,10 @@ def _expectations(found: Expectations) -> list[str]:
     lines = [*_wrapped(tool_sentence(found.tool), "tool point:"), "", "noise:"]
     for one in found.noise:
         lines += _wrapped(_noise(one), "  ")
-    lines += ["", "motion errors: standard uncertainty over the travel, RMS and largest; what [prior] lets expect, RMS"]
+    lines += ["", "error motions: standard uncertainty over the travel, RMS and largest; size expected by [prior], RMS"]
     lines += _errors(found.components)
     if found.locations:
-        lines += ["", f"location errors: standard uncertainty; what [prior] lets expect; {LEVEL}"]
+        lines += ["", f"location errors: standard uncertainty; size expected by [prior]; {LEVEL}"]
         lines[-1:] = _wrapped(lines[-1], "")
         lines += _errors(found.locations)
     lines += _effects(found.effects)
@@ -96,12 +96,12 @@ def _noise(one: NoiseReport) -> str:
     text = f"{one.instrument}: {noise} assumed, {one.runs} run{'s' * (one.runs > 1)}, {one.readings} readings"
     if one.freedom == 0:
         return (
-            f"{text}; nothing is repeated: the noise has to come from what the errors leave over, where an effect that "
-            "the model lacks counts as noise"
+            f"{text}; nothing is repeated: identify takes the noise from the residuals, where an effect that the model "
+            "lacks counts as noise"
         )
     share = 100.0 / math.sqrt(2.0 * one.freedom)
-    enough = "" if one.freedom >= LEAST_FREEDOM else f"; {LEAST_FREEDOM} would tell it to a sixth"
-    return f"{text}; repeats leave {one.freedom} degrees of freedom: they tell the noise to {share:.0f} %{enough}"
+    enough = "" if one.freedom >= LEAST_FREEDOM else f"; {LEAST_FREEDOM} would give it to a sixth"
+    return f"{text}; repeats leave {one.freedom} degrees of freedom: the noise will be known to {share:.0f} %{enough}"
 
 
 def _errors(found: Sequence[ErrorReport]) -> list[str]:
@@ -131,7 +131,7 @@ def _effects(found: Sequence[ExpectedEffect]) -> list[str]:
 def _effect(one: ExpectedEffect) -> str:
     if one.state == "lacking":
         columns = enumerated([f"column {name}" for name in one.missing])
-        return f"cannot be told in advance: {columns} {'is' if len(one.missing) == 1 else 'are'} missing or has gaps"
+        return f"cannot be predicted: {columns} {'is' if len(one.missing) == 1 else 'are'} missing or has gaps"
     if one.state in STATES:
         return STATES[one.state]
     told = [f"{parameter.name} {_size_of(parameter, parameter.u)}" for parameter in one.parameters if parameter.u]
@@ -139,7 +139,7 @@ def _effect(one: ExpectedEffect) -> str:
     silent = [parameter.name for parameter in one.parameters if parameter.u is None]
     text = ", ".join(told)
     text += f"; at {enumerated(at)}{'' if one.stated else ' (assumed: --effects)'}" if at else ""
-    text += f"; the runs do not tell {enumerated(silent)}" if silent else ""
+    text += f"; the runs do not determine {enumerated(silent)}" if silent else ""
     return f"{text}; {APART}" if one.state == "errors" else text
 
 
@@ -162,7 +162,7 @@ def _order(report: PlanReport) -> list[str]:
     for number, block in enumerate(report.blocks, 1):
         lines += _block(number, block)
     if report.blocks_fault:
-        lines += _wrapped(f"not to be solved position by position: {report.blocks_fault}", "  ")
+        lines += _wrapped(f"cannot be solved position by position: {report.blocks_fault}", "  ")
     if report.free_of_order:
         lines += _wrapped(f"with all others at once (--method global): {', '.join(report.free_of_order)}", "  ")
     return lines
@@ -183,7 +183,9 @@ def _set(one: LocationSet, first: bool) -> list[str]:
     text = f"{one.placement}: {one.rank} of {one.rank + len(one.redundant)}: {' '.join(one.kept)}"
     if one.workpiece_free:
         if one.missing:
-            text += f"; {one.complete} would be complete: without counterpart is a constant {enumerated(one.missing)}"
+            text += (
+                f"; {one.complete} would be complete: no location error stands for a constant {enumerated(one.missing)}"
+            )
         else:
             text += "; complete"
     lines += _wrapped(text, "  ")

@@ -83,8 +83,8 @@ def _faults(row: Row) -> tuple[str, ...]:
 
 def _changed(summary: Summary) -> FleetTable:
     intro = (
-        f"An error is called changed from {summary.limit:.1f} standard uncertainties of the difference on: of as many "
-        "errors as were compared here, less than one that stays as it is goes so far. Change: root mean square over "
+        f"An error counts as changed from {summary.limit:.1f} standard uncertainties of the difference on: of as many "
+        "unchanged errors as were compared here, fewer than one goes so far by chance. Change: root mean square over "
         "the travel. Tool point: root mean square of its change over the volume, from home."
     )
     rows = []
@@ -96,7 +96,7 @@ def _changed(summary: Summary) -> FleetTable:
         rows.append((_machine(one.row), *map(_of, texts)))
     head = ("machine", "data", "since", "error", "change", "change / u", "tool point")
     compared = any(row.against is not None for row in summary.newest)
-    empty = "No error of any machine has changed." if compared else "Nothing is there to compare with yet."
+    empty = "No error of any machine has changed." if compared else "There is nothing to compare with yet."
     return _table("What has changed", intro if rows else "", head, rows, frozenset({4, 5, 6}), empty)
 
 

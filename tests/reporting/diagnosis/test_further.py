@@ -37,7 +37,7 @@ def test_what_a_run_separates_and_from_which_size_on() -> None:
     (one,) = told(NextRun(run="a laser diagonal", times=3, pairs=pairs, told=replace(builders.APART, without=math.inf)))
     assert one.run == "a laser diagonal, 3 times"
     assert one.purpose == "separate backlash EXX from servo_lag EXX; also cyclic EYY from cross_axis EXX with Y"
-    assert ascii_only(one.gain) == "smallest backlash EXX that is told apart: 0.40 um with it, no size without it"
+    assert ascii_only(one.gain) == "smallest distinguishable backlash EXX: 0.40 um with it, none without it"
 
 
 @pytest.mark.parametrize(
@@ -45,13 +45,13 @@ def test_what_a_run_separates_and_from_which_size_on() -> None:
     [
         (
             replace(builders.SEPARATING, left=(Placed(builders.CYCLIC),), needed=7),
-            f"{builders.CIRCLES_AGAIN}, separates it from servo_lag EXX: smallest backlash EXX that is told apart: "
-            "0.40 um with it, 9.0 um without it; for the size found it has to be taken about 7 times; "
+            f"{builders.CIRCLES_AGAIN}, separates it from servo_lag EXX: smallest distinguishable backlash EXX: "
+            "0.40 um with it, 9.0 um without it; the size found needs it about 7 times; "
             "cyclic EYY cannot be excluded by it",
         ),
         (
             Separating(cause=Placed(builders.BACKLASH), left=(Placed(builders.LAG),), broken_by="another feed"),
-            "none of the runs considered separates it from servo_lag EXX; what does: another feed",
+            "none of the runs considered separates it from servo_lag EXX; it takes: another feed",
         ),
     ],
 )
@@ -72,7 +72,10 @@ def test_a_noise_that_no_repeats_tell_is_warned_of() -> None:
     diagnosis = builders.diagnosis("explained")
     unsure = replace(diagnosis.noise[0], origin="courses")
     (said,) = [text for text in warnings(replace(diagnosis, noise=(unsure,))) if text.startswith("noise of the laser")]
-    assert said == "noise of the laser: nothing is repeated, from what the null model leaves; repeat runs to know it"
+    assert (
+        said
+        == "noise of the laser: nothing is repeated, from the residuals of the null model; repeat runs to determine it"
+    )
 
 
 def test_terms_of_second_order_of_values_that_are_all_zero_are_no_news() -> None:

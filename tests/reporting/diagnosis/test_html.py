@@ -109,7 +109,7 @@ def test_the_page_is_the_same_to_the_byte_in_another_process_with_another_matplo
 @pytest.mark.parametrize(
     ("verdict", "said"),
     [
-        ("no_discrepancy", "what is left is noise"),
+        ("no_discrepancy", "the residuals are noise"),
         ("recalibrate", "its values are stale"),
         ("explained", "Cause found: Backlash in EXX, width 6.10 \u00b5m \u00b1 0.20 \u00b5m (k = 2)"),
         ("ambiguous", "Backlash in EXX or Servo lag in EXX: these readings cannot tell which"),
@@ -166,7 +166,7 @@ def test_everything_found_is_in_the_page() -> None:
         "left out as outliers: 1 reading",
         "with temperature_c empty in 3 of 9 readings: thermal offset cannot be seen",
         "separate backlash in EXX from servo lag in EXX",
-        "smallest backlash in EXX that is told apart: 0.40",
+        "smallest distinguishable backlash in EXX: 0.40",
         "whole runs left out, one at a time",
         "XY-500-ccw",
         "12.3",
@@ -178,7 +178,7 @@ def test_everything_found_is_in_the_page() -> None:
         "1100 \u00b5rad",
         "never",
         "repeats",
-        "Held-out residuals have 1.03 times the scatter predicted of them: as it should be.",
+        "Held-out residuals have 1.03 times the predicted scatter: as expected.",
     ):
         assert said in text
 

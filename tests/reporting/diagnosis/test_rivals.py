@@ -35,5 +35,8 @@ def test_pitches_that_cannot_be_told_apart_are_listed_with_the_digits_that_are_k
         "these readings cannot tell which."
     )
     said = summary_text(found)
-    assert "cannot be told from: pitch 21.091 mm, pitch 10.400 mm, pitch 31.010 mm, pitch 12.700 mm, 3 more" in said
+    assert (
+        "cannot be distinguished from: pitch 21.091 mm, pitch 10.400 mm, pitch 31.010 mm, pitch 12.700 mm, 3 more"
+        in said
+    )
     assert [ascii_only(row[0]) for row in rivals(cause).rows[1:3]] == ["pitch 21.091 mm", "pitch 10.400 mm"]

@@ -28,13 +28,13 @@ def test_a_cause_on_the_console() -> None:
         "  term: width/2*direction",
         "  width = 6.10 um +/- 0.20 um (k = 2)",
         "  evidence: p 1e-12, 2.10 um RMS, held-out RMS lower by 84 %",
-        "  cannot be told from: Servo lag in EXX",
-        "  what would tell: circles in XY at another feed, both directions, separates it from servo_lag EXX: smallest "
-        "backlash EXX that is told apart: 0.40 um with it, 9.0 um without it",
+        "  cannot be distinguished from: Servo lag in EXX",
+        "  run that would tell: circles in XY at another feed, both directions, separates it from servo_lag EXX: "
+        "smallest distinguishable backlash EXX: 0.40 um with it, 9.0 um without it",
         "next: circles in XY at another feed, both directions, to separate backlash EXX from servo_lag EXX: smallest "
-        "backlash EXX that is told apart: 0.40 um with it, 9.0 um without it",
+        "distinguishable backlash EXX: 0.40 um with it, 9.0 um without it",
         "RMS: given 4.10, refitted 3.20, extended 0.310 um; noise floor 0.300 um",
-        "held-out residuals have 1.03 times the scatter predicted of them: as it should be",
+        "held-out residuals have 1.03 times the predicted scatter: as expected",
     ):
         assert line in lines
 
@@ -49,7 +49,7 @@ def test_runs_for_effects_that_are_no_causes_are_left_to_the_report() -> None:
     assert "next: circles in XY at another feed" in text
     assert "next: every run of the laser three times" in text
     assert "laser, Z moving" not in text
-    assert "report.html names 1 more run, to tell effects apart that these readings show nothing of\n" in text
+    assert "report.html names 1 more run, to distinguish effects of which these readings show nothing\n" in text
     assert "report.html names" not in summary_text(plain)
 
 
@@ -58,7 +58,7 @@ def test_an_own_kind_is_told_by_its_formula() -> None:
     own = replace(diagnosis.causes[0], effect=Effect(kind="table_sag", component="EZY"), remainder=True)
     text = summary_text(replace(diagnosis, causes=(own,)))
     assert f"term: {own.formula}\n" in text
-    assert "a remainder is left that this cause does not explain" in text
+    assert "this cause leaves a remainder unexplained" in text
 
 
 def test_structure_without_a_cause_is_described() -> None:
@@ -95,14 +95,14 @@ def test_stale_values_are_said_with_place_size_and_uncertainty() -> None:
 @pytest.mark.parametrize(
     ("standardised", "judged"),
     [
-        (0.6, "less than predicted: the noise is taken for larger than it is"),
-        (1.4, "more than noise and the uncertainty of the values account for"),
+        (0.6, "less than predicted: the assumed noise is too large"),
+        (1.4, "more than noise and the uncertainty of the values explain"),
     ],
 )
 def test_a_scatter_that_is_not_as_predicted_is_said(standardised: float, judged: str) -> None:
     diagnosis = builders.diagnosis("explained")
     text = summary_text(replace(diagnosis, gain=replace(diagnosis.gain, standardised=standardised)))
-    assert f"held-out residuals have {standardised:.2f} times the scatter predicted of them: {judged}\n" in text
+    assert f"held-out residuals have {standardised:.2f} times the predicted scatter: {judged}\n" in text
 
 
 def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
@@ -112,6 +112,6 @@ def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
     text = summary_text(
         replace(diagnosis, gain=Gain(rms=diagnosis.gain.rms, held_out=nothing, split="3 passes", floor=3e-4))
     )
-    assert "held-out RMS (3 passes): none, the zeros of their instruments take up all of these readings\n" in text
+    assert "held-out RMS (3 passes): none, the zeros of their instruments absorb all of these readings\n" in text
     assert "nan" not in text
     assert "scatter" not in text

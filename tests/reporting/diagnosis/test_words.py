@@ -62,7 +62,7 @@ def test_numbers_without_an_end() -> None:
         (
             Effect(kind="squareness", component="EC0X"),
             "Squareness in EC0X",
-            "squareness: position error EC of the joint of the X axis (EC0X)",
+            "squareness: location error EC of the X axis (EC0X)",
         ),
         (Effect(kind="laser_scale"), "Laser scale", "readings of the instrument"),
         (Effect(kind="laser_cosine", runs=("X1", "X2")), "Laser cosine of X1, X2", "readings of X1, X2"),
@@ -120,9 +120,9 @@ def test_labels_in_words_and_nothing_else(text: str, told: str) -> None:
 def test_a_held_out_figure_above_that_of_the_given_values_is_explained() -> None:
     said = held_out_warning(gain((0.4, 0.3, 0.9), 2.5))
     assert said.startswith(
-        "held-out readings are predicted worse (extended 0.900 um) than by the values given (0.400 um): "
+        "held-out readings are predicted worse (extended 0.900 um) than by the given values (0.400 um): "
     )
-    assert "they hold what the other readings do not show" in said
+    assert "they show something that the other readings do not" in said
     assert held_out_warning(gain((0.4, 0.5, 0.45), 1.02)) == ""  # as uncertain as it is said to be
 
 

@@ -69,8 +69,8 @@ def _warnings(content: Content) -> list[str]:
     by_prior = [one.name for one in (*content.components, *content.locations) if one.determined == "prior"]
     if by_prior:
         found.append(
-            f"Not determined by readings but by the sizes to be expected ([prior]): {', '.join(by_prior)}. "
-            "Their u holds that."
+            f"Determined only by the expected sizes ([prior]), not by readings: {', '.join(by_prior)}. "
+            "Their u includes that."
         )
     return found
 
@@ -149,18 +149,18 @@ def _u(one: EffectValues, parameter: Parameter) -> str:
 
 def _notes(content: Content) -> list[str]:
     found = [
-        "E, direction, axis: ISO 230-1; values are actual less ideal. u: standard uncertainty; 95 % lie within 2 u. "
+        "E, direction, axis: ISO 230-1; values are actual minus ideal. u: standard uncertainty; 95 % lie within 2 u. "
         "Positions: mm, deg.",
-        "Tool point: deviation in the workpiece frame less that at home, where work offsets are touched off.",
+        "Tool point: deviation in the workpiece frame minus that at home, where work offsets are touched off.",
     ]
     if content.effects:
         found.append(
-            "Maps and figures of the volume hold no effects: what these add depends on directions, times, temperatures."
+            "Maps and figures of the volume are without effects, which depend on directions, times and temperatures."
         )
     if content.against is not None:
         found.append(
             "change / u: the largest over the travel, u of both files taken as independent; from "
-            f"{CHANGED:g} on it is called changed."
+            f"{CHANGED:g} on it counts as changed."
         )
     return found
 

@@ -61,10 +61,10 @@ def of_verdict(diagnosis: Diagnosis) -> tuple[Proposal, ...]:
 def _proposal(one: NextRun) -> Proposal:
     if one.check is not None:
         purpose = f"see whether the structure returns ({check_name(one.check)})"
-        return Proposal(closer_look(one.check), purpose, f"{quantity(one.check.rms, 'mm')} RMS that has no name yet")
+        return Proposal(closer_look(one.check), purpose, f"{quantity(one.check.rms, 'mm')} RMS without a name")
     if one.told is None:
-        run, purpose = f"every run of the {one.instrument} three times", f"know the noise of the {one.instrument}"
-        return Proposal(run, purpose, "noise from repeats, which no effect can be mistaken for")
+        run, purpose = f"every run of the {one.instrument} three times", f"determine the noise of the {one.instrument}"
+        return Proposal(run, purpose, "noise from repeats, where no effect counts as noise")
     pairs = [f"{_label(effect, others)} from {_labels(effect, others)}" for effect, others in one.pairs]
     return Proposal(_times(one.run, one.times), f"separate {'; also '.join(pairs)}", _smallest(one.told))
 
@@ -72,12 +72,12 @@ def _proposal(one: NextRun) -> Proposal:
 def separating_run(separating: Separating) -> str:
     """The run that tells a cause from its rivals, from which size on, and what it leaves open."""
     if separating.told is None:
-        other = f"; what does: {separating.broken_by}" if separating.broken_by else ""
+        other = f"; it takes: {separating.broken_by}" if separating.broken_by else ""
         return f"none of the runs considered separates it from {_labels(separating.cause, separating.left)}{other}"
     apart = _labels(separating.cause, separating.apart)
     text = f"{_times(separating.run, separating.times)}, separates it from {apart}: {_smallest(separating.told)}"
     if separating.needed > separating.times:
-        text += f"; for the size found it has to be taken about {separating.needed} times"
+        text += f"; the size found needs it about {separating.needed} times"
     return text + (
         f"; {_labels(separating.cause, separating.left)} cannot be excluded by it" if separating.left else ""
     )
@@ -99,28 +99,28 @@ def absence_sentence(one: Absence) -> str:
         case "instrument":
             without = enumerated([_INSTRUMENTS[name] for name in one.lacking], "or")
             where = f"without {without}" if without else "in these runs"
-            return f"{where}: {enumerated(one.kinds)} cannot be told from a recalibration"
+            return f"{where}: {enumerated(one.kinds)} cannot be distinguished from a recalibration"
         case "one_side":
             return f"lines of {one.place} from one side only: they show nothing of its backlash"
         case "one_direction":
             return f"circles in {one.place} in one direction only: play and servo lag look like errors of the geometry"
         case "one_feed":
-            return f"circles in {one.place} at one feed only: servo lag is told from play by its form alone"
+            return f"circles in {one.place} at one feed only: only its form distinguishes servo lag from play"
 
 
 def _second_order(terms: SecondOrder) -> str:
     told = "large enough to be seen" if terms.seen else "below what could be detected"
     size = f"{1e3 * terms.largest:.2g} um"
-    return f"linearisation: second-order terms of the errors given reach {size}, {told}; the model has them"
+    return f"linearisation: second-order terms of the given errors reach {size}, {told}; the model has them"
 
 
 def warnings(diagnosis: Diagnosis) -> Iterator[str]:
     """What to be careful with."""
     for one in diagnosis.noise:
         if one.origin not in ("repeats", "given"):
-            yield f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it"
+            yield f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to determine it"
     if diagnosis.verdict == "unexplained_structure":
-        yield "structure is left that no known cause explains: no name is given"
+        yield "no known cause explains the remaining structure: no name is given"
     if any(one.remainder for one in diagnosis.causes):
         shown, _ = largest_structures(diagnosis.checks)
         left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
@@ -140,13 +140,9 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
 def _smallest(told: Told) -> str:
     """From which size on an effect is told from others."""
     now = (
-        f"{quantity(told.without, told.unit, DIGITS)} without it"
-        if math.isfinite(told.without)
-        else "no size without it"
+        f"{quantity(told.without, told.unit, DIGITS)} without it" if math.isfinite(told.without) else "none without it"
     )
-    return (
-        f"smallest {told.effect.label} that is told apart: {quantity(told.with_run, told.unit, DIGITS)} with it, {now}"
-    )
+    return f"smallest distinguishable {told.effect.label}: {quantity(told.with_run, told.unit, DIGITS)} with it, {now}"
 
 
 def _times(run: str, times: int) -> str:

@@ -105,7 +105,7 @@ def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
     return [
         *(_figures_of(gain, "", UM) if math.isfinite(gain.floor) else []),
         *([] if gain.angles is None else _figures_of(gain.angles, "angles: ", URAD)),
-        *([("held out, over predicted scatter", scatter)] if math.isfinite(gain.standardised) else []),
+        *([("held-out residuals over predicted scatter", scatter)] if math.isfinite(gain.standardised) else []),
     ]
 
 
@@ -138,7 +138,7 @@ def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -
             ("evidence", f"{written(cause.evidence, '.3g')} ({equals_p(cause.p_value)})"),
             ("held-out RMS", _change(cause.held_out_gain)),
             ("same size everywhere", equals_p(cause.homogeneous_p)),
-            ("kind, as a spec has it", cause.effect.kind),
+            ("kind, as in a spec", cause.effect.kind),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,
         separating="" if cause.separating is None else in_words(further.separating_run(cause.separating), kinds),
@@ -162,9 +162,9 @@ def _sections(
         Section(
             name="stale",
             title="Values that are no longer true",
-            intro="The readings ask for other values than those given. Change: what they ask for less what was given, "
-            "where it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; "
-            "p: of all of it.",
+            intro="The readings require other values than the given ones. Change: required minus given value, "
+            "where it exceeds twice its standard uncertainty u most clearly; from, to: the range where it exceeds "
+            "that; p: of the whole change.",
             tables=(tables.stale(diagnosis),),
         ),
         Section(
@@ -182,26 +182,26 @@ def _sections(
         Section(
             name="residuals",
             title="Residuals",
-            intro=f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
+            intro=f"Measured minus model, {UM}: with the given values, refitted, and with the extended model.",
             pictures=pictures["residuals"],
         ),
         Section(
             name="circles",
             title="Circles",
-            intro="Radial deviations measured, and what the extended model says of them.",
+            intro="Radial deviations, measured and by the extended model.",
             pictures=pictures["circles"],
         ),
         Section(name="periods", title="Periods", pictures=pictures["periods"], tables=()),
         Section(
             name="structure",
-            title="Is noise all that is left?",
+            title="Are the residuals noise?",
             pictures=pictures["structure"],
             tables=(tables.checks(diagnosis),),
         ),
         Section(name="evidence", title="Evidence", pictures=pictures["evidence"], tables=(tables.scan(diagnosis),)),
         Section(
             name="limits",
-            title="What these runs can and cannot see",
+            title="What these runs can and cannot show",
             pictures=pictures["limits"],
             tables=(tables.limits(diagnosis),),
         ),

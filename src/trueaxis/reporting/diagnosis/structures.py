@@ -35,20 +35,20 @@ _WORDS: Mapping[StructureClass, tuple[str, str, str, str]] = {
     StructureClass.LINE_TEMPERATURE: (
         LINES,
         "with temperature",
-        "goes with the temperature",
-        "a line of {} again over a swing of the temperature, measured at the scale or screw",
+        "follows the temperature",
+        "a line of {} again over a change of the temperature, measured at the scale or screw",
     ),
     StructureClass.LINE_RIPPLE: (
         LINES,
         "ripple between directions",
-        "ripple that turns with the direction",
+        "ripple that changes sign with the direction",
         "the lines of {} again, each target from both sides",
     ),
     StructureClass.LINE_LOCAL: (
         LINES,
         "locally",
-        "a place where the readings step aside, by direction",
-        "the line of {} again with targets at a fifth of the distance where the readings step aside",
+        "a place where the readings deviate, by direction",
+        "the line of {} again with targets at a fifth of the distance where the readings deviate",
     ),
     StructureClass.CIRCLE_LOBES: (
         CIRCLES,
@@ -90,7 +90,7 @@ _WORDS: Mapping[StructureClass, tuple[str, str, str, str]] = {
     StructureClass.CIRCLE_REVERSALS: (
         CIRCLES,
         "at reversals",
-        "steps where an axis turns round",
+        "steps where an axis reverses",
         "the circle in {} at a quarter of the feed, with samples close to the reversals",
     ),
     StructureClass.CIRCLE_AFTER_REVERSALS: (
@@ -99,11 +99,11 @@ _WORDS: Mapping[StructureClass, tuple[str, str, str, str]] = {
         "a course after each reversal",
         "the circle in {} at a quarter of the feed, with samples close to the reversals",
     ),
-    StructureClass.ONE_PERIOD: ("run", "one period", "the readings of run {} go up and down with one period", ""),
+    StructureClass.ONE_PERIOD: ("run", "one period", "the readings of run {} vary with one period", ""),
     StructureClass.LACK_OF_FIT: (
         "readings of the",
         "lack of fit",
-        "readings of the {} are farther off than repeats differ",
+        "readings of the {} deviate more than repeats differ",
         "",
     ),
 }

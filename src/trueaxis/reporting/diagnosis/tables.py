@@ -59,7 +59,7 @@ def measured(diagnosis: Diagnosis) -> Table:
     kept = [place for place in range(len(head)) if any(row[place] for row in rows)]
     numbers = frozenset(kept.index(place) for place in (3, 4, 6) if place in kept)
     return Table(
-        caption="Readings that count: no outliers, none of a bar beside a reversal, none before an axis has moved",
+        caption="Readings used: without outliers and those of a bar next to a reversal or before an axis has moved",
         head=tuple(head[place] for place in kept),
         rows=tuple(tuple(row[place] for place in kept) for row in rows),
         numbers=numbers,
@@ -83,7 +83,7 @@ def errors(diagnosis: Diagnosis) -> Table:
         )
         for one in diagnosis.errors
     )
-    head = ("error", "given", "now", "change", "u", "change told by")
+    head = ("error", "given", "now", "change", "u", "change determined by")
     return Table(
         caption="Largest over the travel; u: standard uncertainty of the change",
         head=head,
@@ -100,7 +100,7 @@ def rivals(cause: Cause) -> Table:
     )
     own = (effect_title(cause.effect), _short(cause.evidence), probability(cause.p_value))
     return Table(
-        caption="Cannot be told from",
+        caption="Cannot be distinguished from",
         head=("candidate", "evidence", "p"),
         rows=(own, *rows),
         numbers=frozenset({1, 2}),
@@ -114,7 +114,7 @@ def circularity(diagnosis: Diagnosis) -> Table:
         (one.run, *(micrometres(value) for value in (one.measured, one.given, one.refitted, one.extended)))
         for one in sorted(diagnosis.circles, key=lambda one: -one.extended)
     )
-    head = ("run", "measured", "left, as given", "left, refitted", "left, extended")
+    head = ("run", "measured", "residual, as given", "residual, refitted", "residual, extended")
     return Table(
         caption=f"Circular deviation (ISO 230-4), {UM}",
         head=head,
@@ -142,9 +142,18 @@ def limits(diagnosis: Diagnosis) -> Table:
                 f"{one.state}: {one.reason}" if one.reason else one.state,
             )
         )
-    head = ("candidate", "no.", "size", "detected from", "told apart from", "beyond the base", "nearest", "state")
+    head = (
+        "candidate",
+        "no.",
+        "size",
+        "detected from",
+        "distinguished from",
+        "beyond the null model",
+        "nearest",
+        "state",
+    )
     return Table(
-        caption="Detection limits, said before any reading is looked at",
+        caption="Detection limits, from the runs alone, before any reading",
         head=head,
         rows=tuple(rows),
         numbers=frozenset({1, 3, 4, 5}),
@@ -203,7 +212,7 @@ def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
         (in_words(one.run, kinds), in_words(one.purpose, kinds), in_words(one.gain, kinds))
         for one in proposals(diagnosis)
     )
-    return Table(caption="Runs that would help", head=("run", "purpose", "what it would tell"), rows=rows)
+    return Table(caption="Runs that would help", head=("run", "purpose", "what it would show"), rows=rows)
 
 
 def stale(diagnosis: Diagnosis) -> Table:

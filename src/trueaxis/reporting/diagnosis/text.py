@@ -47,7 +47,7 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in further)
     if others := len(proposals(diagnosis)) - len(further):
         runs = "run" if others == 1 else "runs"
-        yield f"report.html names {others} more {runs}, to tell effects apart that these readings show nothing of"
+        yield f"report.html names {others} more {runs}, to distinguish effects of which these readings show nothing"
     yield from (f"warning: {text}" for text in warnings(diagnosis))
 
 
@@ -60,7 +60,7 @@ def _gain(gain: Gain) -> Iterator[str]:
     for of, unit, part in parts:
         for what, stage in ((f"RMS{of}", part.rms), (f"held-out RMS{of} ({gain.split})", part.held_out)):
             if not math.isfinite(stage.given):
-                yield f"{what}: none, the zeros of their instruments take up all of these readings"
+                yield f"{what}: none, the zeros of their instruments absorb all of these readings"
                 continue
             yield (
                 f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
@@ -84,8 +84,8 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
         f"held-out RMS lower by {percent(cause.held_out_gain)}"
     )
     if cause.rivals:
-        yield f"  cannot be told from: {', '.join(shortened([rival_title(one) for one in cause.rivals]))}"
+        yield f"  cannot be distinguished from: {', '.join(shortened([rival_title(one) for one in cause.rivals]))}"
     if cause.separating is not None:
-        yield f"  what would tell: {separating_run(cause.separating)}"
+        yield f"  run that would tell: {separating_run(cause.separating)}"
     if cause.remainder:
-        yield "  a remainder is left that this cause does not explain"
+        yield "  this cause leaves a remainder unexplained"

@@ -48,7 +48,7 @@ def joint(effect: Effect) -> str:
         return f"set-up of {', '.join(effect.runs) or 'the runs'}" if effect.end else where
     name, axis = effect.error, effect.own_axis
     if name.is_location:
-        return f"squareness: position error {name.direction} of the joint of the {axis} axis ({name})"
+        return f"squareness: location error {name.direction} of the {axis} axis ({name})"
     if name.is_positioning:
         return f"positioning error of the {axis} axis ({name})"
     if name.is_rotation:
@@ -115,9 +115,9 @@ def headline(diagnosis: Diagnosis) -> str:
     causes = [f"{effect_title(one.effect)}, {size_of(one)}".removesuffix(", ") for one in diagnosis.causes]
     match diagnosis.verdict:
         case "no_discrepancy":
-            return "The readings agree with the model: what is left is noise."
+            return "The readings agree with the model: the residuals are noise."
         case "recalibrate":
-            return "The form of the model suffices, its values are stale: recalibrate."
+            return "The form of the model suffices, but its values are stale: recalibrate."
         case "explained":
             return f"{'Causes' if len(causes) > 1 else 'Cause'} found: {enumerated(causes)}."
         case "ambiguous":
@@ -135,23 +135,23 @@ def explanation(diagnosis: Diagnosis) -> str:
 _MEANING: dict[Verdict, str] = {
     "no_discrepancy": (
         "No test finds more in the residuals than the noise of the repeats, and refitting the values brings no more "
-        "than chance would. There is nothing to mend; effects below their detection limits cannot be excluded."
+        "than chance would. No correction is needed; effects below their detection limits cannot be excluded."
     ),
     "recalibrate": (
-        "The same model with new values leaves nothing but noise, so no effect has to be added: identify the errors "
-        "anew from readings such as these and compensate with them."
+        "With new values the same model leaves only noise, so no effect has to be added: identify the errors "
+        "again from readings such as these and compensate with them."
     ),
     "explained": (
-        "The model with the terms named below leaves nothing but noise (or a remainder, where a cause says so), and it "
+        "The model with the terms named below leaves only noise (or a remainder, where a cause says so), and it "
         "predicts runs that it was not fitted to."
     ),
     "ambiguous": (
-        "Something beyond the model is in the readings, but several causes predict the same. The one that fits best is "
-        "shown with the size that it would have, its rivals beside it, and what would tell them apart."
+        "The readings show something beyond the model, but several causes predict the same. The one that fits best is "
+        "shown with the size that it would have, with its rivals and the run that would tell them apart."
     ),
     "unexplained_structure": (
-        "Naming the nearest candidate would be a guess: none of them leaves noise. The checks tell what the structure "
-        "looks like, which is where to search: by hand, or with an effect kind of your own in the machine file."
+        "To name the nearest candidate would be a guess: with none of them the residuals are noise. The checks say "
+        "what the structure looks like. Search there, by hand or with an effect kind of your own in the machine file."
     ),
 }
 
@@ -163,7 +163,7 @@ def _detail(diagnosis: Diagnosis) -> str:
         more = len(diagnosis.stale) - len(changed)
         changed += [f"{more} more, listed below"] if more else []
         listed = f"Changed: {'; '.join(changed)}. " if changed else ""
-        return f"{listed}The values given would look so stale by chance with a probability of {p}."
+        return f"{listed}True values would look as stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis.checks)
         said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
@@ -197,12 +197,12 @@ def predicted_scatter(gain: Gain) -> str:
         return ""
     low, high = AS_PREDICTED
     if gain.standardised > high:
-        judged = "more than noise and the uncertainty of the values account for"
+        judged = "more than noise and the uncertainty of the values explain"
     elif gain.standardised < low:
-        judged = "less than predicted: the noise is taken for larger than it is"
+        judged = "less than predicted: the assumed noise is too large"
     else:
-        judged = "as it should be"
-    return f"held-out residuals have {written(gain.standardised, '.2f')} times the scatter predicted of them: {judged}"
+        judged = "as expected"
+    return f"held-out residuals have {written(gain.standardised, '.2f')} times the predicted scatter: {judged}"
 
 
 def held_out_warning(gain: Gain) -> str:
@@ -221,8 +221,8 @@ def held_out_warning(gain: Gain) -> str:
         return ""
     figures = enumerated([f"{name} {shown[name]} um" for name in worse])
     return (
-        f"held-out readings are predicted worse ({figures}) than by the values given ({shown['given']} um): they hold "
-        "what the other readings do not show, such as a change between the runs"
+        f"held-out readings are predicted worse ({figures}) than by the given values ({shown['given']} um): they show "
+        "something that the other readings do not, such as a change between the runs"
     )
 
 
@@ -243,7 +243,7 @@ def noise_origin(origin: str) -> str:
     """Where the noise of an instrument comes from, in words."""
     return {
         "repeats": "repeats",
-        "courses": "nothing is repeated, from what the null model leaves",
+        "courses": "nothing is repeated, from the residuals of the null model",
         "given": "given",
         "unknown": "unknown: too few readings",
     }[origin]
@@ -257,6 +257,6 @@ def misfit(diagnosis: Diagnosis) -> str:
     more = f" and {len(diagnosis.misfits) - MOST_MISFITS} more" if len(diagnosis.misfits) > MOST_MISFITS else ""
     return (
         f"no errors of the machine fit {shown}{more}: is the sign of the readings right, do they belong to this run, "
-        "is its set-up as setup.toml says? `identify` tells by how much, and whether a run reads as if its sign were "
-        "reversed"
+        "is its set-up as setup.toml says? `identify` says by how much they are off, and whether a run reads as if its "
+        "sign were reversed"
     )

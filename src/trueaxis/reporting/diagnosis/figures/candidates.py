@@ -104,8 +104,8 @@ def isolability(diagnosis: Diagnosis) -> list[Picture]:
             "isolability",
             "Isolability",
             f"Heat map of R squared between {count} candidates. {told}",
-            f"R\N{SUPERSCRIPT TWO} between the signatures of candidates, before any reading is looked at; {mark} "
-            f"pairs from {CONFOUNDED:g} on, which these runs cannot tell apart. {told}{grouped}",
+            f"R\N{SUPERSCRIPT TWO} between the signatures of candidates, before any reading; {mark} "
+            f"pairs from {CONFOUNDED:g} on, which these runs cannot distinguish. {told}{grouped}",
             lambda: _matrix(diagnosis),
         )
     ]
