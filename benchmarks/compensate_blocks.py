@@ -9,11 +9,13 @@ Python and NumPy that is timed before and after, by which runs at other times co
 import argparse
 import json
 import math
+import random
 import resource
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -34,23 +36,55 @@ PROGRAMS = {
     "half": "lines and arcs by turns, by I J and by R",
     "holes": "G81, 200 holes by X and Y alone in each",
     "pecks": "G83 of five pecks, 20 holes by X and Y alone in each",
+    "cam": "tool paths of 30 to 300 blocks as CAM systems write them: a head of S, M3, M8, G90 G17, G0 and the plunge, "
+    "arcs in and out and at corners, three feeds, G0 up and M9",
 }
+PATHS = (30, 300)  # blocks of a tool path
 
 
 def write_program(path: Path, blocks: int, program: str) -> None:
     """A program of `PROGRAMS` over a wavy surface, in rows of short chords."""
     with path.open("w", newline="\n") as file:
         file.write("%\nG21 G17 G90 G94\nG0 X100. Y100. Z120.\nG1 Z100. F2000.\n")
-        before = (100.0, 100.0)
-        for number in range(blocks - 5):
-            row, column = divmod(number, 800)
-            place = column if row % 2 == 0 else 799 - column
-            x = 100.0 + 0.4 * place
-            y = 100.0 + 0.2 * (row % 1500)
-            z = 100.0 + 8.0 * math.sin(0.02 * x) * math.cos(0.013 * y)
-            file.write(block(program, number, (x, y, z), before))
-            before = (x, y)
+        file.writelines(tool_paths(blocks - 5) if program == "cam" else surface(blocks - 5, program))
         file.write("M30\n")
+
+
+def surface(blocks: int, program: str) -> Iterator[str]:
+    """Blocks over a wavy surface."""
+    before = (100.0, 100.0)
+    for number in range(blocks):
+        row, column = divmod(number, 800)
+        place = column if row % 2 == 0 else 799 - column
+        x = 100.0 + 0.4 * place
+        y = 100.0 + 0.2 * (row % 1500)
+        z = 100.0 + 8.0 * math.sin(0.02 * x) * math.cos(0.013 * y)
+        yield block(program, number, (x, y, z), before)
+        before = (x, y)
+
+
+def tool_paths(blocks: int) -> Iterator[str]:
+    """Blocks of tool paths: rows of chords in a pocket of 40 mm, each joined to the next by a half circle."""
+    draw, left, number = random.Random(5), blocks, 0
+    while left > 0:
+        number += 1
+        x, y, depth = draw.uniform(100, 300), draw.uniform(100, 300), 100 - 0.01 * (number % 500)
+        path = [
+            f"(PATH {number})", f"S{draw.randrange(4000, 12000, 100)} M3", "G90 G94 G17", "M8", f"G0 X{x:.3f} Y{y:.3f}",
+            "Z120.", "Z105.", f"G1 Z{depth:.3f} F300.", f"G3 X{x + 1:.3f} Y{y + 1:.3f} I0. J1. F800.",
+        ]  # fmt: skip
+        x, y, ahead, row = x + 1, y + 1, 1, y + 1
+        for place in range(draw.randrange(*PATHS) - len(path) - 3):
+            if place % 25 == 24:  # a half circle to the row behind
+                path += [f"G{3 if ahead > 0 else 2} X{x:.3f} Y{row + 1:.3f} I0. J0.5", "G1 F2000."]
+                y += 1
+                ahead = -ahead
+                continue
+            x += ahead * draw.uniform(0.5, 2.5)
+            row = round(y + 0.05 * math.sin(x), 3)
+            path.append(f"{'G1 ' * (place == 0)}X{x:.3f} Y{row:.3f}{' F2000.' * (place == 0)}")
+        yield from (f"{text}\n" for text in [*path[: left - 3], "G0 Z120.", "M9", ""][:left])
+        left -= len(path) + 3
 
 
 def block(program: str, number: int, place: tuple[float, float, float], before: tuple[float, float]) -> str:

@@ -29,19 +29,25 @@ AXES_ALONE = st.tuples(WORDS, GAPS).map(
     lambda pair: pair[1].join(f"{a}{n}" for a, n in zip("XYZ", pair[0], strict=True) if n is not None)
 )
 LEADS = st.sampled_from(
-    ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 "]
+    ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 ", "G90 ",
+     "N5 G0 G90 ", "G90G1", "G17 G90 G1 ", "G54 G1 ", "G91 G1 ", "G1 G0 ", "G40 ", "G1 G1 ", "G94 S9 ", "G53 G0 "]
 )
 TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
+ASIDE = [  # what moves nothing, and what it is next to
+    "S500 M3", "M3 S500", "M5", "N4 M9", "M5 M9", "S1000.", "S1 S2", "M8 F90", "F90 M8", "G90 G94 G17", "N3 G17 G90",
+    "G54 G90", "G90 G91", "G21 G40 G64", "G17 G18", "G1 M8", "G0 G1", "G1 S300 M3", "M3 M30", "M03.5", "M7 M8 (both)",
+    "G94 M3 S100 G90", "G61", "G59", "G55 M3", "M", "S-5", "T1", "T2 M6", "G4 P1", "S2e3", "m8", "s100m3", "G95 F.1",
+]  # fmt: skip
 OTHER = st.sampled_from(
     ["G0", "G1", "G91", "G90", "G20", "G21", "G0 X5. Y5. Z5.", "G1 F300", "N7 X1. Y2. F90", "(text)", "", "M6", "M0",
      "G2 X5. Y5. R90.", "G54", "G55", "G93", "G94", "M30", "Y1. X2.", "x3. y4.", "/X1.", "A5.", "X1. (end)", " X3.",
      "g1 x2.5 y3.", "X4. ; words", "X4. ;Y5.", "(py,1)", "X5. (py,1)", "; alone", "N9", "N9 G0", "G3", "F250.",
      "G2 F90", "X1. (a) Y2.", "X1. (a) (b)", "G17", "G18", "G19", "G1 X9. Y8. (to the corner) ", "M8", "G95",
-     "G18 X5."]
+     "G18 X5.", *ASIDE]
 )  # fmt: skip
 # from anywhere: by R to places far less than 2 R apart, full circles, half circles where G91 is in force; no arcs
-ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 "])
+ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 ", "G17 G2 ", "G90G3", "G2 G90 "])
 ARCS = st.one_of(
     st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5"])).map(
         "".join
@@ -59,6 +65,7 @@ CYCLES = st.sampled_from([
     "G73 X2. Z-30. R5. Q8.", "G82 X1. Z-20. R-10. P0.5", "G85 Y1. Z-20. R-10.", "G89 X3. Z-20. R-10. P1",
     "M3\nG86 X3. Z-20. R2.", "G99 G86 X3. Z-20. R2.", "G98", "G99", "G80", "G80\nG0 Z50.", "Z-15.", "R-5.", "X5. L3",
     "G91 X5. K2", "G90", "G0 Z60.", "G17", "G18 G81 X1. Z2. Y-5. R3.",
+    "M4", "M5", "M8", "S300 M3", "G90 G17", "G98 X4.", "G17 X6. Y1.",
 ])  # fmt: skip
 PLACES = st.one_of(
     st.tuples(

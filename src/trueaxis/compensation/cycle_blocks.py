@@ -185,6 +185,7 @@ def holes_alike(lines: PlainText, first: int, last: int, state: NcState, hole: H
     moves = np.diff(lines.first[first : last + 1]) > 0
     wrong = (lines.code[part] >= 0) | np.isfinite(lines.feed[part])
     wrong[(lines.line[words] - first)[~np.isin(lines.letter[words], plane)]] = True
+    wrong[lines.modes.of(first, last).line] = wrong[lines.switches.of(first, last).line] = True
     start = int(lines.starts[first])
     solid = np.concatenate([[0], np.cumsum(~_BLANK[lines.source[start : lines.starts[last]]])])
     ends = lines.starts[first + 1 : last + 1] - 1 - lines.returned[part] - start

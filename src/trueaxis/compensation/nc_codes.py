@@ -67,6 +67,15 @@ POINT_CONTROL_ON = {"fanuc": frozenset({434})}
 # exact path modes that take a tolerance or a number of blocks
 WITH_PARAMETERS = frozenset({610, 611, 640})
 
+# codes (whole ones) that change nothing where the mode that they set is in force: those of modes that this is asked of
+WITHOUT_MODE = frozenset({40, 61, 64})
+_SETTING_MODES = frozenset({17, 18, 19, 20, 21, 54, 55, 56, 57, 58, 59, 90, 91, 94, 95}) | WITHOUT_MODE
+
+
+def modes_on(dialect: str | None) -> frozenset[int]:
+    """The codes of modes that may stand again where they are in force."""
+    return frozenset(code for code in _SETTING_MODES if 10 * code not in OTHERWISE_ON.get(dialect or "", {}))
+
 
 class Refused(NamedTuple):
     """Why a code is a fault, as what follows its name, and what would be right."""
@@ -176,6 +185,8 @@ TOOL_CHANGE = 6
 SPINDLE, SPINDLE_STOP = frozenset({3, 4, 5}), 5
 END = frozenset(code for code, known in KNOWN.items() if known.ends)
 STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE)
+# no more than on or off of what is no axis, everywhere
+SWITCHES = frozenset(code for code, known in KNOWN.items() if known.axes_kept and not known.ends)
 AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timing.AFTER)
 OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
@@ -228,6 +239,11 @@ HARMFUL_ON: dict[str, dict[int, str]] = {
 }
 
 NOT_PASSED = "--pass-m does not pass it; write the program without it before compensating"
+
+
+def spindle_of(code: int) -> str:
+    """The code with which the spindle turns on after one of `SPINDLE`; empty: it stands."""
+    return "" if code == SPINDLE_STOP else f"M{code}"
 
 
 def may_move(code: int, passed: Collection[int]) -> bool:

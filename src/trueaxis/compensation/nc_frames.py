@@ -47,6 +47,14 @@ class FrameReader:
             self._end_shift(number, meaning)
         return self.changed()
 
+    @property
+    def selected(self) -> str:
+        """The work offset that the program has selected, where nothing is to be said of it if it does so again; else
+        empty.
+        """
+        system = self._state.frames.system
+        return system if self._said and system and system not in self._state.frames.unsaid else ""
+
     def note_first(self, number: int) -> None:
         """Note, at the first motion, that the work offset in force is not the program's choice."""
         frames = self._state.frames

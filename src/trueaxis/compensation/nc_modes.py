@@ -62,7 +62,7 @@ class ModeReader:
             if codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
             if code in codes.SPINDLE:
-                state.spindle = "" if code == codes.SPINDLE_STOP else f"M{code}"
+                state.spindle = codes.spindle_of(code)
 
     def _feed(self, meaning: Meaning) -> None:
         state = self._state

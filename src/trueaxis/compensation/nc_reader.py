@@ -66,7 +66,7 @@ class NcReader:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
         yield from self._frames.changed()
         plain, state, undotted_mm = _PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
-        runs, number = RunReader(state, self._settings, self._cycles), 0
+        runs, number = RunReader(state, self._settings, self._frames, self._cycles), 0
         for text in texts:
             place = 0
             while place < len(text):

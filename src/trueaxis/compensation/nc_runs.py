@@ -10,10 +10,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import BlockPlaces, PlainRun
 from trueaxis.compensation.cycle_blocks import holes_alike, holes_run
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.compensation.nc_cycles import CycleReader
+from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_run_arcs import ArcReader
 from trueaxis.compensation.nc_state import Commanded, NcState
 from trueaxis.compensation.plain_text import LETTERS, plain_text
@@ -35,8 +37,9 @@ class Run(NamedTuple):
 class RunReader:
     """Finds runs in the text of one program."""
 
-    def __init__(self, state: NcState, settings: Settings, cycles: CycleReader) -> None:
-        self._state, self._settings, self._cycles = state, settings, cycles
+    def __init__(self, state: NcState, settings: Settings, frames: FrameReader, cycles: CycleReader) -> None:
+        self._state, self._settings, self._frames, self._cycles = state, settings, frames, cycles
+        self._modes = codes.modes_on(settings.dialect)
         self._arcs = ArcReader(state, settings)
         self._known = all(axis in state.row for axis in LINEAR)
         self._row = np.array([state.row.get(letter, -1) for letter in LETTERS])
@@ -71,7 +74,7 @@ class RunReader:
     def _begin(self, number: int, text: str) -> None:
         """Read a text."""
         siemens = self._settings.dialect == "siemens"  # R is a variable there, and only ; begins a comment
-        lines = plain_text(text, self._settings.undotted == "mm", parentheses=not siemens)
+        lines = plain_text(text, self._settings.undotted == "mm", not siemens, self._modes, codes.SWITCHES)
         foreign = [axis for axis in ROTARY if axis not in self._state.row] + ["R"] * siemens
         plain = np.append(lines.plain, False)  # what is behind the last line end is no line
         for letter in foreign:
@@ -111,7 +114,15 @@ class RunReader:
             wrong[line[(letter > _LAST_LINEAR) & (letter <= _LAST_AXIS)]] = True
         begins_otherwise = lines.code[first] < 0 and state.motion in (0, 1) and state.in_force != state.motion
         wrong[0] |= not moves[0] or begins_otherwise
+        modes = lines.modes.of(first, last)
+        wrong[modes.line[~np.isin(modes.number, [*self._in_force()])]] = True
         return first + int(np.argmax(wrong)) if wrong.any() else last
+
+    def _in_force(self) -> set[int]:
+        """Codes of modes that change nothing now."""
+        selected = self._frames.selected
+        system = {int(selected[1:])} if selected[1:].isdecimal() else set()
+        return self._state.codes_in_force | codes.WITHOUT_MODE | system
 
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
@@ -140,6 +151,7 @@ class RunReader:
         has_feed = np.isfinite(lines.feed[first:last])
         feed = _kept(lines.feed[first:last] * scale, has_feed, state.feed)
         several = lines.first[index + 1] - lines.first[index] > 1
+        several[np.isin(index, lines.modes.line)] = True
         blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
         run = PlainRun(
             line=number + index - first, motion=motion, ends=ends, written=written, absolute=state.absolute,
@@ -184,13 +196,16 @@ class RunReader:
     def _keep(self, run: PlainRun, first: int, last: int, moved: int, feed: float) -> None:
         """Take into the state what a run has set; moved: its last line that moves."""
         state, lines = self._state, self._lines
-        codes = np.flatnonzero(lines.code[first:last] >= 0)
+        motions = np.flatnonzero(lines.code[first:last] >= 0)
         state.motion = int(run.motion[-1])
         state.in_force = None if state.motion > 1 else state.motion  # an arc may have become lines
-        if codes.size and first + codes[-1] > moved:
-            state.motion = state.in_force = int(lines.code[first + codes[-1]])
+        if motions.size and first + motions[-1] > moved:
+            state.motion = state.in_force = int(lines.code[first + motions[-1]])
         state.gap, state.position, state.moved = " " if run.blank[-1] else "", run.ends[:, -1].tolist(), True
         state.feed = feed
+        spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in codes.SPINDLE]
+        if spindle:
+            state.spindle = codes.spindle_of(spindle[-1])
         words = slice(*lines.first[[first, last]].tolist())
         letter = lines.letter[words]
         for axis, row in state.row.items():

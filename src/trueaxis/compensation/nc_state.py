@@ -228,6 +228,16 @@ class NcState:
         )
 
     @property
+    def codes_in_force(self) -> set[int]:
+        """G codes (whole ones) of the plane, the distances, the units and of how F counts that change nothing now."""
+        found = {self.plane // 10, {"minute": 94, "time": 93, "turn": 95}[self.feed_mode]}
+        if "absolute" in self.said:
+            found.add(90 if self.absolute else 91)
+        if "inch" in self.said:
+            found.add(20 if self.inch else 21)
+        return found
+
+    @property
     def feed_in_minutes(self) -> float:
         """F in force, mm/min or deg/min; NaN where it is not known or counts otherwise."""
         return self.feed if self.feed_mode == "minute" else math.nan

@@ -1,5 +1,5 @@
-"""The lines of a text that have only words that most blocks are made of, found and read all at once: N, one of G0 to
-G3, axes, I J K R and F, in this order, then a comment.
+"""The lines of a text that have only words that most blocks are made of, found and read all at once: N, codes of G,
+axes, I J K R and F, in this order, then a comment; or, without axes and centres, codes of G and M and S besides.
 
 Bytes are sorted into classes; which classes may follow each other, and the order of letters, decides which lines are
 such. The digits of a number are added up to a whole number, exact in doubles, and divided once by a power of ten: that
@@ -7,7 +7,9 @@ rounds as `float` does.
 """
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,19 +18,19 @@ from trueaxis.compensation.dialects import is_marked
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.nc_lexer import LARGEST, active_comment
 
-LETTERS = "NGXYZABCIJKRF"  # in the order of words
+LETTERS = "NGXYZABCIJKRFSM"  # in the order of words
 _DIGIT, _DOT, _SIGN, _BLANK, _RETURN, _NEWLINE, _N, _G, _X = range(1, 10)
-_I, _R, _F = (_N + LETTERS.index(letter) for letter in "IRF")
+_R, _F, _S, _M = (_N + LETTERS.index(letter) for letter in "RFSM")
 _CLASSES = ("0123456789", ".", "+-", " \t", "\r", "\n", *(letter + letter.lower() for letter in LETTERS))
-_NUMBER, _FEED = 9, 10  # of classes that may follow alike: letters of axes and centres, and F
+_NUMBER, _SIZE = 9, 10  # of classes that may follow alike: letters of axes and centres, and F and S; M is as G
 _LINE_END = {_RETURN, _NEWLINE}
-_BEHIND = {_BLANK, _G, _NUMBER, _FEED} | _LINE_END  # behind a number
+_BEHIND = {_BLANK, _G, _NUMBER, _SIZE} | _LINE_END  # behind a number
 _FOLLOWS: dict[int, set[int]] = {
     _NEWLINE: {_N} | _BEHIND,
     _N: {_DIGIT},
     _G: {_DIGIT},
     _NUMBER: {_SIGN, _DIGIT, _DOT},
-    _FEED: {_DIGIT, _DOT},
+    _SIZE: {_DIGIT, _DOT},
     _SIGN: {_DIGIT, _DOT},
     _DIGIT: {_DIGIT, _DOT} | _BEHIND,
     _DOT: {_DIGIT} | _BEHIND,
@@ -36,12 +38,13 @@ _FOLLOWS: dict[int, set[int]] = {
     _RETURN: {_NEWLINE},
 }
 _CLASS_OF = bytes(next((k for k, of in enumerate(_CLASSES, 1) if chr(byte) in of), 0) for byte in range(256))
-_ALIKE_OF = bytes(k if k < _X else _FEED if k == _F else _NUMBER for k in _CLASS_OF)
+_ALIKE_OF = bytes(k if k < _X else _NUMBER if k <= _R else _G if k == _M else _SIZE for k in _CLASS_OF)
 _MAY_FOLLOW = bytes(pair % 16 in _FOLLOWS.get(pair // 16, ()) for pair in range(256))
-_MOST_DIGITS = np.array([0] * _N + [9, 2] + [15] * (_F - _G))  # by class; a whole number of 15 is a double
-_MOST_DOTS = np.array([0] * _X + [1] * (_F - _G))
+_MOST_DIGITS = np.array([0] * _N + [9, 2] + [15] * (_S - _G) + [2])  # by class; a whole number of 15 is a double
+_MOST_DOTS = np.array([0] * _X + [1] * (_S - _G) + [0])
 _POWERS = 10.0 ** np.arange(16)
-_MOTIONS = 3.0  # G0 to G3
+_MOTIONS = 4  # G0 to G3
+_CODES = 100  # of two digits
 _SEMICOLON = re.compile(r";[^\r\n]*+")
 _COMMENT = re.compile(r"(?:\([^()\r\n]*+\)|;[^\r\n]*+)[ \t]*+(?=\r*\n)")
 
@@ -51,11 +54,12 @@ class PlainText:
     """The lines of a text, n of them, and their words of axes and centres, m of all lines together.
 
     source: its bytes. starts: (n + 1,), where lines begin, and where the last ends. plain: (n,), whether a line is as
-    said; of those: code: G, -1 where it has none, in the source from code_at to code_end; feed: F, NaN where it has
-    none; blank: whether there is a blank; returned: whether the line ends in CR LF; lead, tail: where the words of axes
-    and centres begin and end.
+    said; of those: code: G0 to G3, -1 where it has none, in the source from code_at to code_end; feed: F, NaN where it
+    has none; blank: whether there is a blank; returned: whether the line ends in CR LF; lead, tail: where the words of
+    axes and centres begin and end.
     first: (n + 1,), at which of these words lines begin. Of the words, each (m,): line; letter, its place in LETTERS;
     value; decimals, digits behind the dot, -1 where there is none; place, end, in the source.
+    modes, switches: other codes of G, and those of M.
     """
 
     source: NDArray[np.uint8]
@@ -76,56 +80,130 @@ class PlainText:
     decimals: NDArray[np.int64]
     place: NDArray[np.int64]
     end: NDArray[np.int64]
+    modes: "Codes"
+    switches: "Codes"
 
 
-def plain_text(text: str, undotted_mm: bool, parentheses: bool = True) -> PlainText:
+class Codes(NamedTuple):
+    """Codes of one letter, k of them: lines, ascending, and their numbers, each (k,)."""
+
+    line: NDArray[np.int64]
+    number: NDArray[np.int64]
+
+    def of(self, first: int, last: int) -> "Codes":
+        """Those of some lines, from the first up to the last."""
+        begin, end = np.searchsorted(self.line, [first, last])
+        return Codes(self.line[begin:end] - first, self.number[begin:end])
+
+
+class Marks(NamedTuple):
+    """Line ends and letters, k of them: each begins what goes up to the next. Each (k,): place in the bytes, kind: class
+    of the letter, line, and the number behind it, of no use where it is none: value, and how many digits, dots, and
+    digits behind the dot it has.
+    """
+
+    place: NDArray[np.int64]
+    kind: NDArray[np.uint8]
+    line: NDArray[np.int64]
+    value: FloatArray
+    digits: NDArray[np.int64]
+    dots: NDArray[np.int64]
+    decimals: NDArray[np.int64]
+
+
+def plain_text(
+    text: str, undotted_mm: bool, parentheses: bool = True, modes: Collection[int] = (), switches: Collection[int] = ()
+) -> PlainText:
     """Read a text; undotted_mm: whether a number of axes or centres without a decimal point counts mm (or inch), else
-    a line with one is not plain; parentheses: whether they are comments, as what follows a semicolon is.
+    a line with one is not plain; parentheses: whether they are comments, as what follows a semicolon is; modes,
+    switches: which codes of G, besides those of motions, and of M a line may have.
     """
     signs = np.frombuffer(f"\n{text}\n".encode("latin-1"), dtype=np.uint8)
     bare = (_COMMENT if parentheses else _SEMICOLON).sub(_blanks, text) if "(" in text or ";" in text else text
     source = f"\n{bare}\n".encode("latin-1")  # the first line begins, and the last ends, as the others
     of = np.frombuffer(source.translate(_CLASS_OF), dtype=np.uint8)
-    marks = np.flatnonzero(of >= _NEWLINE)  # line ends and letters: each begins what goes up to the next
-    kind = of[marks]
+    place = np.flatnonzero(of >= _NEWLINE)
+    kind = of[place]
     ends = np.flatnonzero(kind == _NEWLINE)
-    newline, line = marks[ends], np.repeat(np.arange(ends.size), np.diff(ends, append=kind.size))
-    value, digits, dots, decimals = _numbers(signs, of, marks)
-
-    bad = (digits < 1) | (digits > _MOST_DIGITS[kind]) | (dots > _MOST_DOTS[kind]) | ((kind == _G) & (value > _MOTIONS))
-    bad |= np.abs(value) > LARGEST
-    bad[1:] |= kind[1:] <= kind[:-1]
+    newline, line = place[ends], np.repeat(np.arange(ends.size), np.diff(ends, append=kind.size))
+    marks = Marks(place, kind, line, *_numbers(signs, of, place))
     words = np.flatnonzero((kind >= _X) & (kind <= _R))
-    if not undotted_mm:
-        bad[words] |= (dots[words] == 0) & (value[words] != 0.0)
-    bad[ends] = False
+    each = np.bincount(line[words], minlength=ends.size)
+
     plain = np.ones(ends.size, dtype=bool)
+    bad = _bad_words(marks, words, undotted_mm) | _bad_codes(marks, each > 0, modes, switches)
+    bad[ends] = False
     plain[line[bad]] = False
     alike = np.frombuffer(source.translate(_ALIKE_OF), dtype=np.uint8)
     follows = np.frombuffer((alike[:-1] * 16 + alike[1:]).tobytes().translate(_MAY_FOLLOW), dtype=np.bool_)
     plain[np.searchsorted(newline, np.flatnonzero(~follows) + 1) - 1] = False
 
     count = text.count("\n")
-    starts = newline[: count + 1]
-    codes, feeds = np.flatnonzero(kind == _G), np.flatnonzero(kind == _F)
-    code, feed = np.full(ends.size, -1), np.full(ends.size, np.nan)
-    code_at, code_end = np.zeros((2, ends.size), dtype=np.int64)
-    code[line[codes]], feed[line[feeds]] = value[codes], value[feeds]
-    code_at[line[codes]], code_end[line[codes]] = marks[codes] - 1, marks[codes] + digits[codes]
-    first = np.concatenate([[0], np.cumsum(np.bincount(line[words], minlength=ends.size))])
-    place = marks[words]
-    end = place + (of[place + 1] == _SIGN) + digits[words] + dots[words]
+    first = np.concatenate([[0], np.cumsum(each)])
+    begin = place[words]
+    end = begin + (of[begin + 1] == _SIGN) + marks.digits[words] + marks.dots[words]
     lead = tail = np.zeros(count, dtype=np.int64)
     if words.size:
-        lead = place[np.minimum(first[:count], words.size - 1)] - 1
+        lead = begin[np.minimum(first[:count], words.size - 1)] - 1
         tail = end[first[1 : count + 1] - 1]
     blank = of == _BLANK if bare is text else (signs == ord(" ")) | (signs == ord("\t"))
     return PlainText(
-        source=signs[1:-1], starts=starts, plain=plain[:count], code=code, code_at=code_at, code_end=code_end,
-        feed=feed, blank=np.logical_or.reduceat(blank, newline), returned=of[newline[1:] - 1] == _RETURN,
+        source=signs[1:-1], starts=newline[: count + 1], plain=plain[:count], **_of_lines(marks, ends.size),
+        blank=np.logical_or.reduceat(blank, newline), returned=of[newline[1:] - 1] == _RETURN,
         lead=lead, tail=tail, first=first, line=line[words], letter=kind[words].astype(np.int64) - _N,
-        value=value[words], decimals=np.where(dots[words] > 0, decimals[words], -1), place=place - 1, end=end,
+        value=marks.value[words], decimals=np.where(marks.dots[words] > 0, marks.decimals[words], -1),
+        place=begin - 1, end=end,
     )  # fmt: skip
+
+
+def _bad_words(marks: Marks, words: NDArray[np.int64], undotted_mm: bool) -> NDArray[np.bool_]:
+    """Which numbers are none that a plain line may have; words: those of axes and centres."""
+    kind, dots, value = marks.kind, marks.dots, marks.value
+    bad = (marks.digits < 1) | (marks.digits > _MOST_DIGITS[kind]) | (dots > _MOST_DOTS[kind])
+    bad |= np.abs(value) > LARGEST
+    if not undotted_mm:
+        bad[words] |= (dots[words] == 0) & (value[words] != 0.0)
+    return bad
+
+
+def _bad_codes(
+    marks: Marks, moves: NDArray[np.bool_], modes: Collection[int], switches: Collection[int]
+) -> NDArray[np.bool_]:
+    """Which words are none that a plain line may have behind those before; moves: whether a line has words of axes or
+    centres.
+    """
+    kind, line = marks.kind, marks.line
+    bad = np.zeros(kind.size, dtype=bool)
+    for of, known in ((_G, (*range(_MOTIONS), *modes)), (_M, (*switches,))):
+        codes = np.flatnonzero(kind == of)
+        may = np.zeros(_CODES, dtype=bool)
+        may[np.array(known, dtype=np.int64)] = True
+        bad[codes] = ~may[np.minimum(marks.value[codes], _CODES - 1).astype(np.int64)]
+    for single in ((kind == _G) & (marks.value < _MOTIONS), kind == _S):  # one in a line
+        at = np.flatnonzero(single)
+        bad[at[1:][line[at[1:]] == line[at[:-1]]]] = True
+    back = 1 + np.flatnonzero((kind[1:] <= kind[:-1]) & (kind[1:] != _NEWLINE))
+    after_code = (kind[back] == _G) & (kind[back - 1] == _G)
+    bad[back[~after_code & (moves[line[back]] | ~np.isin(kind[back], (_G, _S, _M)))]] = True
+    aside = np.flatnonzero(kind >= _S)
+    bad[aside[moves[line[aside]]]] = True
+    return bad
+
+
+def _of_lines(marks: Marks, count: int) -> dict[str, Any]:
+    """The codes and F of the lines, as in PlainText."""
+    kind, line, number = marks.kind, marks.line, marks.value
+    feeds, codes = np.flatnonzero(kind == _F), np.flatnonzero(kind == _G)
+    motions = codes[number[codes] < _MOTIONS]
+    feed, code, (code_at, code_end) = np.full(count, np.nan), np.full(count, -1), np.zeros((2, count), dtype=np.int64)
+    feed[line[feeds]], code[line[motions]] = number[feeds], number[motions]
+    code_at[line[motions]] = marks.place[motions] - 1
+    code_end[line[motions]] = marks.place[motions] + marks.digits[motions]
+    others = (codes[number[codes] >= _MOTIONS], np.flatnonzero(kind == _M))
+    modes, switches = (Codes(line[at], number[at].astype(np.int64)) for at in others)
+    return {
+        "code": code, "code_at": code_at, "code_end": code_end, "feed": feed, "modes": modes, "switches": switches
+    }  # fmt: skip
 
 
 def _blanks(comment: re.Match[str]) -> str:
