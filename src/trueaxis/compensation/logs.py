@@ -37,7 +37,9 @@ class Running:
 
     def add(self, values: FloatArray, lines: NDArray[np.int64]) -> None:
         """Take in the absolute values that are finite, with their lines."""
-        finite = np.isfinite(values)
+        finite: slice | NDArray[np.bool_] = np.isfinite(values)
+        if finite.all():
+            finite = slice(None)
         size = np.abs(values[finite])
         if size.size == 0:
             return

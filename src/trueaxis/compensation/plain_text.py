@@ -2,8 +2,8 @@
 axes, I J K R and F, in this order, then a comment; or, without axes and centres, codes of G and M and S besides.
 
 Bytes are sorted into classes; which classes may follow each other, and the order of letters, decides which lines are
-such. The digits of a number are added up to a whole number, exact in doubles, and divided once by a power of ten: that
-rounds as `float` does.
+such. The digits of a number make a whole number, exact in doubles, which is divided once by a power of ten: that rounds
+as `float` does.
 """
 
 import re
@@ -178,7 +178,7 @@ def _bad_codes(
         codes = np.flatnonzero(kind == of)
         may = np.zeros(_CODES, dtype=bool)
         may[np.array(known, dtype=np.int64)] = True
-        bad[codes] = ~may[np.minimum(marks.value[codes], _CODES - 1).astype(np.int64)]
+        bad[codes] = ~may[np.clip(marks.value[codes], 0, _CODES - 1).astype(np.int64)]
     for single in ((kind == _G) & (marks.value < _MOTIONS), kind == _S):  # one in a line
         at = np.flatnonzero(single)
         bad[at[1:][line[at[1:]] == line[at[:-1]]]] = True
@@ -221,21 +221,16 @@ def _numbers(
 
     signs: all bytes; of: their classes.
     """
-    is_digit = of == _DIGIT
-    before = np.cumsum(is_digit, dtype=np.int32)
-    digits = np.diff(before[marks], append=before[-1:])
-    place = np.flatnonzero(is_digit)
-    last = np.repeat(before[marks] + digits, digits)
-    behind = last - np.arange(1, place.size + 1, dtype=np.int32)  # digits of the same number
-    shares = (signs[place] - ord("0")) * _POWERS[np.minimum(behind, 15)]
-    value, numbers = np.zeros(marks.size), np.flatnonzero(digits)
-    if numbers.size:
-        value[numbers] = np.add.reduceat(shares, before[marks[numbers]])
-    dot = np.flatnonzero(of == _DOT)
-    owner = np.searchsorted(marks, dot) - 1
-    dots = np.bincount(owner, minlength=marks.size)
+    before, dots_before = (np.cumsum(of == kind, dtype=np.int32) for kind in (_DIGIT, _DOT))
+    digits, dots = (np.diff(so_far[marks], append=so_far[-1:]) for so_far in (before, dots_before))
+    dot, owner = np.flatnonzero(of == _DOT), np.repeat(np.arange(marks.size), dots)
     decimals = np.zeros(marks.size, dtype=np.int64)
     decimals[owner] = (before[marks] + digits)[owner] - before[dot]
-    value[owner] /= _POWERS[np.minimum(decimals[owner], 15)]
-    minus = signs[np.minimum(marks + 1, signs.size - 1)] == ord("-")
-    return np.where(minus, -value, value), digits.astype(np.int64), dots, decimals
+    last, first = signs.size - 1, np.minimum(marks + 1, signs.size - 1)
+    begin, whole = first + (of[first] == _SIGN), digits - decimals  # where digits begin, and how many before the dot
+    value = np.zeros(marks.size, dtype=np.int64)
+    for place in range(min(int(digits.max(initial=0)), _MOST_DIGITS.max())):
+        digit = signs[np.minimum(begin + (place + (place >= whole)), last)].astype(np.int64) - ord("0")
+        value = np.where(place < digits, 10 * value + digit, value)
+    size = value / _POWERS[np.minimum(decimals, _POWERS.size - 1)]
+    return np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals

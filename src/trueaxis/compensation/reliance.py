@@ -45,17 +45,26 @@ class _Cells:
         """With what was visited of the same cell together; of equal corrections the first stays."""
         if not self.keys.size:
             return self
-        order = np.argsort(self.keys, kind="stable")  # quick, as a program stays a while in each cell
-        keys, correction = self.keys[order], self.correction[order]
-        first = np.flatnonzero(np.diff(keys, prepend=keys[0] - 1))
-        largest = np.maximum.reduceat(correction, first)
-        there = np.flatnonzero(correction == np.repeat(largest, np.diff(first, append=keys.size)))
+        few = self._neighbours_together()  # as a program stays a while in each cell
+        order = np.argsort(few.keys, kind="stable")
         return _Cells(
-            keys=keys[first],
-            position=self.position[:, order[there[np.searchsorted(there, first)]]],
+            keys=few.keys[order], position=few.position[:, order], correction=few.correction[order],
+            low=few.low[:, order], high=few.high[:, order],
+        )._neighbours_together()  # fmt: skip
+
+    def _neighbours_together(self) -> "_Cells":
+        """With what was visited of the same cell one after another together."""
+        first = np.flatnonzero(np.diff(self.keys, prepend=self.keys[0] - 1))
+        if first.size == self.keys.size:
+            return self
+        largest = np.maximum.reduceat(self.correction, first)
+        there = np.flatnonzero(self.correction == np.repeat(largest, np.diff(first, append=self.keys.size)))
+        return _Cells(
+            keys=self.keys[first],
+            position=self.position[:, there[np.searchsorted(there, first)]],
             correction=largest,
-            low=np.minimum.reduceat(self.low[:, order], first, axis=1),
-            high=np.maximum.reduceat(self.high[:, order], first, axis=1),
+            low=np.minimum.reduceat(self.low, first, axis=1),
+            high=np.maximum.reduceat(self.high, first, axis=1),
         )
 
     def and_later(self, later: "_Cells") -> "_Cells":

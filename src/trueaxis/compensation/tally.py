@@ -20,7 +20,7 @@ from trueaxis.compensation.sign_check import SignChecker, senses_of
 from trueaxis.compensation.solve import PoseSolution, Solution, ToolAxis, angle
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.tracker import EffectNote
-from trueaxis.compensation.word_choice import bar_error
+from trueaxis.compensation.word_choice import bar_error, length
 
 STAGES = ("before", "solved", "after", "along")
 UNCOMMANDED = "uncommanded"
@@ -113,7 +113,8 @@ class Tally:
         index = np.arange(path.size)
         model = placing.at(index, np.ones(path.size))
         written = done.at_points(previous)
-        deviation, _ = self._stage("before", model, path.points, path.points, lines)
+        target = solved.linear.target
+        deviation, _ = self._stage("before", model, path.points, path.points, lines, target=target)
         moved = np.where(held, 0.0, written - path.points)
         if self._controlled is None:
             self._sign.add(path, deviation, written, lines, held)
@@ -150,9 +151,10 @@ class Tally:
     ) -> None:
         """Evaluate the programmed points that count."""
         points, at, free = path.points[:, index], lines[index], places.uncounted[:, index]
-        self._stage("solved", model, solved.commands[:, index], points, at, free)
-        error, turned = self._stage("after", model, written[:, index], points, at, free)
-        self._over_tolerance.add(at[~(_length(error) <= self._settings.tolerance)])
+        target = solved.linear.target[:, index]
+        self._stage("solved", model, solved.commands[:, index], points, at, free, target)
+        error, turned = self._stage("after", model, written[:, index], points, at, free, target)
+        self._over_tolerance.add(at[~(length(error) <= self._settings.tolerance)])
         if solved.pose is not None and turned is not None:
             self._singular.add(at[solved.pose.singular[index]])
             self._over_orientation.add(at[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
@@ -172,7 +174,7 @@ class Tally:
         fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
         fed &= np.isfinite(path.origins[0])[done.point]
         fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
-        index = np.flatnonzero(fed)
+        index = slice(None) if fed.all() else np.flatnonzero(fed)
         point = done.point[index]
         at_end, wanted_end = done.positions[:, index], done.reference[:, index]
         executed = np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1)[:, index]
@@ -180,7 +182,7 @@ class Tally:
         middles = executed + 0.5 * (at_end - executed), reference + 0.5 * (wanted_end - reference)
         at, free = lines[point], places.uncounted[:, point]
         for share, (there, wanted) in ((0.5, middles), (1.0, (at_end, wanted_end))):
-            self._stage("along", placing.at(point, np.full(index.size, share)), there, wanted, at, free)
+            self._stage("along", placing.at(point, np.full(point.size, share)), there, wanted, at, free)
 
     def _stage(
         self,
@@ -190,19 +192,21 @@ class Tally:
         wanted: FloatArray,
         lines: NDArray[np.int64],
         free: Held | None = None,
+        target: FloatArray | None = None,
     ) -> tuple[FloatArray, FloatArray | None]:
         """Note where positions put the tool instead of where the error-free machine is at `wanted`.
 
         free: (n_axes, n), linear axes of which nothing says where they are to be: what their motion would take back of
-        the error is left out.
+        the error is left out. target: the tool points (3, n) of the error-free machine at `wanted`, where they are known.
         Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
         """
-        target = model.ideal(wanted, self._tool_point)
-        actual = model.ideal(positions, self._tool_point) + model.deviation(positions, self._tool_point)
-        error = actual - target
+        if target is None:
+            target = model.ideal(wanted, self._tool_point)
+        ideal = target if positions is wanted else model.ideal(positions, self._tool_point)
+        error = ideal + model.deviation(positions, self._tool_point) - target
         if free is not None and free.any():
             error += taken_back(model, positions, error, free, self._tool_point)
-        self._vector[stage].add(_length(error), lines)
+        self._vector[stage].add(length(error), lines)
         if self._ball is not None:
             self._bar[stage].add(bar_error(target, error, self._ball), lines)
         if not self._axis.turns:
@@ -273,10 +277,6 @@ class Tally:
             )
             for setup, places in used.items()
         )
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    return np.asarray(np.sqrt((vectors**2).sum(axis=0)))
 
 
 def _errors(stages: dict[str, Running]) -> Errors:

@@ -26,10 +26,11 @@ def offsets(reach: int) -> FloatArray:
 def bar_error(target: FloatArray, error: FloatArray, ball: FloatArray) -> FloatArray:
     """E of Eq. (6), mm: |target + error - ball| - |target - ball|; arrays (3, ...), ball (3, 1 ...)."""
     bar = target - ball
-    return np.asarray(_length(bar + error) - _length(bar))
+    return np.asarray(length(bar + error) - length(bar))
 
 
-def _length(vectors: FloatArray) -> FloatArray:
+def length(vectors: FloatArray) -> FloatArray:
+    """Of vectors (3, ...)."""
     return np.asarray(np.sqrt(vectors[0] ** 2 + vectors[1] ** 2 + vectors[2] ** 2))
 
 
@@ -56,7 +57,7 @@ def choose(
         part = slice(first, first + CHUNK)
         at = error[:, part, None] + np.einsum("ijn,jc->inc", moves[:, :, part], tried)
         value = np.abs(bar_error(target[:, part, None], at, ball[:, :, None]))
-        value[_length(at) > limit] = np.inf
+        value[length(at) > limit] = np.inf
         best = np.argmin(value, axis=1)[:, None] if kept == 1 else np.argpartition(value, kept, axis=1)[:, :kept]
         found = np.take_along_axis(value, best, axis=1).T
         least[:, part] = found
