@@ -30,7 +30,8 @@ AXES_ALONE = st.tuples(WORDS, GAPS).map(
 )
 LEADS = st.sampled_from(
     ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 ", "G90 ",
-     "N5 G0 G90 ", "G90G1", "G17 G90 G1 ", "G54 G1 ", "G91 G1 ", "G1 G0 ", "G40 ", "G1 G1 ", "G94 S9 ", "G53 G0 "]
+     "N5 G0 G90 ", "G90G1", "G17 G90 G1 ", "G54 G1 ", "G91 G1 ", "G1 G0 ", "G40 ", "G1 G1 ", "G94 S9 ", "G53 G0 ",
+     "F90 ", "G1 F95", "N5 G3F80.", "F1 F2 ", "G0 F100. G1 ", "F70 G1", "G90 F60 G1 "]
 )
 TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
@@ -47,9 +48,9 @@ OTHER = st.sampled_from(
      "G18 X5.", *ASIDE]
 )  # fmt: skip
 # from anywhere: by R to places far less than 2 R apart, full circles, half circles where G91 is in force; no arcs
-ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 ", "G17 G2 ", "G90G3", "G2 G90 "])
+ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 ", "G17 G2 ", "G90G3", "G2 G90 ", "G2 F40. ", "G3 R280. "])
 ARCS = st.one_of(
-    st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5"])).map(
+    st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5", "R300.X9."])).map(
         "".join
     ),
     st.tuples(
@@ -90,6 +91,8 @@ TEXTS = st.tuples(
 )
 OFFSETS = Offsets({"G54": {"X": (5.0, 5.0)}, "G55": {"X": (7.0, 7.0), "Z": (-3.0, -3.0)}}, {}, "G54")
 HEAD = ["G21 G90 G94", "G0 X10. Y20. Z30.", "G1 X11. Y20. F500"]
+WITHOUT_Z = ["G21 G90 G94", "G0 X10. Y20.", "G1 X11. Y20. F500"]
+WITHOUT_Y = ["G90 G94", "G0 Z10.", "X10.", "M3", "G1 X11. F500"]
 
 
 def outcome(bench: Bench, text: str, fewest: int, options: dict[str, object]) -> tuple[object, ...]:
@@ -135,6 +138,8 @@ def module_bench(tmp_path_factory: pytest.TempPathFactory) -> Bench:
     integers=st.sampled_from([None, "mm", "least-increment"]),
     few=st.sampled_from([1, 3, 50, 16384]),
     dialect=st.sampled_from([None, "linuxcnc", "fanuc", "siemens"]),
+    head=st.sampled_from([HEAD, HEAD, WITHOUT_Z, WITHOUT_Y]),
+    start=st.sampled_from([{}, {"Z": 12.5}, {"Y": 3.0}]),
 )
 def test_runs_are_what_their_blocks_are(
     module_bench: Bench,
@@ -143,13 +148,15 @@ def test_runs_are_what_their_blocks_are(
     integers: str | None,
     few: int,
     dialect: str | None,
+    head: list[str],
+    start: dict[str, float],
 ) -> None:
     """However blocks are taken together: the same bytes, the same faults, the same figures."""
     eol, lines, ends = text
-    program = eol.join([*HEAD, *lines]) + (eol if ends else "")
+    program = eol.join([*head, *lines]) + (eol if ends else "")
     options: dict[str, object] = {
         "integers": integers, "batch_points": few, "offsets": OFFSETS, "block_delete": "skip",
-        "arcs": arcs, "dialect": dialect,
+        "arcs": arcs, "dialect": dialect, "start": start,
     }  # fmt: skip
     by_blocks = outcome(module_bench, program, 10**9, options)
     assert outcome(module_bench, program, 1, options) == by_blocks

@@ -154,7 +154,7 @@ class PlainRun:
     line: (n,). motion: (n,), 0 to 3 as of G. ends: (n_axes, n), mm and deg. written: (n_axes, n), whether a block has
     the word. blank: (n,), whether a blank separates words. source: bytes; places: of the blocks in it. inserts: whether
     the G word of its motion is put into a block. arcs: of the blocks. feed: (n,).
-    held, elsewhere, shift: of all blocks. passable: whether the tool may run through ends behind which nothing stands.
+    held, elsewhere, unnamed, shift: of all blocks. passable: whether the tool may run through ends behind which nothing stands.
     stays: whether a block whose words hold may stay as it is.
     """
 
@@ -174,6 +174,7 @@ class PlainRun:
     held: tuple[bool, ...]
     elsewhere: tuple[bool, ...]
     shift: tuple[float, ...]
+    unnamed: tuple[bool, ...] = ()
     passable: bool = True
     stays: bool = True
 

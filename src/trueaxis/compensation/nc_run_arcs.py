@@ -42,11 +42,13 @@ class ArcReader:
         lines: PlainText,
         index: NDArray[np.int64],
         motion: NDArray[np.int64],
+        first: FloatArray,
         ends: FloatArray,
     ) -> tuple[Arcs, int]:
         """The arcs among moves, and the number of the first move that should be one and is none (of all, if all are).
 
-        index: (n,), line of each move; motion: (n,); ends: (n_axes, n), where moves end, mm and deg.
+        index: (n,), line of each move; motion: (n,); first: (n_axes, 1), where the first begins; ends: (n_axes, n),
+        where they end, mm and deg.
         """
         number = np.flatnonzero(motion > 1)
         if not number.size:
@@ -54,7 +56,7 @@ class ArcReader:
         state = self._state
         across = codes.PLANES[state.plane][2]
         rows = [state.row[axis] for axis in LINEAR]
-        before = np.concatenate([np.array(state.position, dtype=np.float64)[:, None], ends[:, :-1]], axis=1)
+        before = np.concatenate([first, ends[:, :-1]], axis=1)
         start, end = (_point(of[rows][:, number]) for of in (before, ends))
         sense = np.where(motion[number] == _COUNTER_CLOCKWISE, 1.0, -1.0)
         normal = _point(np.array([sense * (axis == across) for axis in LINEAR]))

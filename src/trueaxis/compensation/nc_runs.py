@@ -17,7 +17,7 @@ from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_run_arcs import ArcReader
-from trueaxis.compensation.nc_state import Commanded, NcState
+from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.plain_text import LETTERS, plain_text
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
@@ -42,6 +42,7 @@ class RunReader:
         self._modes = codes.modes_on(settings.dialect)
         self._arcs = ArcReader(state, settings)
         self._known = all(axis in state.row for axis in LINEAR)
+        self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in state.axes])
         self._row = np.array([state.row.get(letter, -1) for letter in LETTERS])
         self._text, self._first = "", 0  # the text read last, and the number of its first line
         self._lines = plain_text("", undotted_mm=True)
@@ -56,10 +57,10 @@ class RunReader:
         if text is not self._text:
             self._begin(number, text)
         first = number - self._first
-        if first < self._looked or not self._state.goes_on_plainly:
+        if first < self._looked or self._state.not_to_name is None:
             return None
         if self._state.cycle is not None:
-            return self._holes(number, first)
+            return self._holes(number, first) if self._state.goes_on_plainly else None
         most = min(int(self._others[np.searchsorted(self._others, first)]), first + self._most)
         last = self._alike(first, most) if most - first >= FEWEST else first
         run = self._run(number, first, last) if last - first >= FEWEST else None
@@ -96,7 +97,7 @@ class RunReader:
         written, given = self._table(first, last, moves)
         if lines.blank[first] or lines.lead[first] > lines.starts[first] or np.count_nonzero(written[:, 0]) > 1:
             state.gap = " " if lines.blank[first] else ""
-        run = holes_run(lines, first, last, number, (written, _positions(state, written, given)), state, hole)
+        run = holes_run(lines, first, last, number, (written, _positions(state, self._start(), written, given)), state, hole)
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
         self._cycles.note_further(number, int(moves.sum()))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
@@ -110,13 +111,20 @@ class RunReader:
         centred = np.zeros(moves.size, dtype=bool)
         centred[line[letter > _LAST_AXIS]] = True
         wrong = moves & ((motion < 0) | (centred != (motion > 1)) | (lines.returned[part] != lines.returned[first]))
-        if state.commanded.of(range(len(state.axes))) < Commanded.ABSOLUTE:
-            wrong[line[(letter > _LAST_LINEAR) & (letter <= _LAST_AXIS)]] = True
+        if rows := state.not_to_name:
+            wrong[line[np.isin(letter, [LETTERS.index(state.axes[row]) for row in rows])]] = True
+            plane = [state.row[axis] for axis in codes.PLANES[state.plane][:2]]
+            wrong |= moves & (motion > 1) & bool(set(plane) & set(rows))
         begins_otherwise = lines.code[first] < 0 and state.motion in (0, 1) and state.in_force != state.motion
         wrong[0] |= not moves[0] or begins_otherwise
         modes = lines.modes.of(first, last)
         wrong[modes.line[~np.isin(modes.number, [*self._in_force()])]] = True
         return first + int(np.argmax(wrong)) if wrong.any() else last
+
+    def _start(self) -> FloatArray:
+        """Where the axes stand, or are taken to stand, (n_axes, 1)."""
+        position = [at if known is None else known for known, at in zip(self._state.position, self._assumed, strict=True)]
+        return np.array(position, dtype=np.float64)[:, np.newaxis]
 
     def _in_force(self) -> set[int]:
         """Codes of modes that change nothing now."""
@@ -140,8 +148,9 @@ class RunReader:
             return None
         motion = motion[moves]
         written, given = self._table(first, last, moves)
-        ends = _positions(state, written, given)
-        arcs, right = self._arcs.read(lines, index, motion, ends)
+        start = self._start()
+        ends = _positions(state, start, written, given)
+        arcs, right = self._arcs.read(lines, index, motion, start, ends)
         if right < index.size:
             if right < FEWEST:
                 return None
@@ -150,8 +159,7 @@ class RunReader:
         scale, minutes = MM_PER_INCH if state.inch else 1.0, state.feed_mode == "minute"
         has_feed = np.isfinite(lines.feed[first:last])
         feed = _kept(lines.feed[first:last] * scale, has_feed, state.feed)
-        several = lines.first[index + 1] - lines.first[index] > 1
-        several[np.isin(index, lines.modes.line)] = True
+        several = (lines.first[index + 1] - lines.first[index] > 1) | lines.led[index]
         blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
         run = PlainRun(
             line=number + index - first, motion=motion, ends=ends, written=written, absolute=state.absolute,
@@ -159,7 +167,8 @@ class RunReader:
             source=lines.source[lines.starts[first] : lines.starts[last]], places=self._places(first, last, index),
             inserts=(motion > 1) & (lines.code[index] < 0), arcs=arcs,
             feed=feed[index - first] if minutes else np.full(index.size, math.nan),
-            held=state.commanded.held[state.absolute], elsewhere=state.commanded.elsewhere, shift=state.shift,
+            held=state.commanded.held[state.absolute], elsewhere=state.commanded.elsewhere,
+            unnamed=state.commanded.unnamed, shift=state.shift,
         )  # fmt: skip
         self._keep(run, first, last, int(index[-1]), float(feed[-1]))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
@@ -201,8 +210,11 @@ class RunReader:
         state.in_force = None if state.motion > 1 else state.motion  # an arc may have become lines
         if motions.size and first + motions[-1] > moved:
             state.motion = state.in_force = int(lines.code[first + motions[-1]])
-        state.gap, state.position, state.moved = " " if run.blank[-1] else "", run.ends[:, -1].tolist(), True
-        state.feed = feed
+        state.gap, state.moved, state.feed = " " if run.blank[-1] else "", True, feed
+        last_end = run.ends[:, -1].tolist()
+        state.position = [
+            None if before is None else end for before, end in zip(state.position, last_end, strict=True)
+        ]
         spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in codes.SPINDLE]
         if spindle:
             state.spindle = codes.spindle_of(spindle[-1])
@@ -223,9 +235,10 @@ def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArr
     return np.where(last >= 0, values[np.maximum(last, 0)], start)
 
 
-def _positions(state: NcState, written: NDArray[np.bool_], given: FloatArray) -> FloatArray:
-    """Where the blocks of a run end, (n_axes, n); written, given: which axes they name, and their numbers."""
-    start = np.array([0.0 if value is None else value for value in state.position])[:, np.newaxis]
+def _positions(state: NcState, start: FloatArray, written: NDArray[np.bool_], given: FloatArray) -> FloatArray:
+    """Where the blocks of a run that begins at `start` (n_axes, 1) end, (n_axes, n); written, given: which axes they
+    name, and their numbers.
+    """
     if not state.absolute:
         return np.cumsum(np.concatenate([start, given], axis=1), axis=1)[:, 1:]
     if state.shift:

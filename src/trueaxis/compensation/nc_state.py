@@ -111,6 +111,10 @@ class CommandedAxes:
             return Commanded.ABSOLUTE
         return min((self._known[row] for row in rows), default=Commanded.ABSOLUTE)
 
+    def below(self, least: Commanded) -> list[int]:
+        """Rows of the axes that are less certain."""
+        return [] if self._complete else [row for row, known in enumerate(self._known) if known < least]
+
     def command(self, written: Sequence[bool], absolute: bool) -> tuple[bool, ...]:
         """Take in a block with these axis words; returns `held` of it."""
         named = [row for row, named in enumerate(written) if named]
@@ -226,6 +230,19 @@ class NcState:
         return (
             self.commanded.linear_complete and None not in self.position and self.feed_mode != "time" and not self.ended
         )
+
+    @property
+    def not_to_name(self) -> list[int] | None:
+        """Rows of the axes that the program has not commanded, where blocks of axis words alone are moves as long as
+        they name none of these; None where they are none even then.
+        """
+        found = self.commanded.below(Commanded.ABSOLUTE)
+        if self.feed_mode == "time" or self.ended or (self.point_control and found):
+            return None
+        unnamed = self.commanded.unnamed or (False,) * len(self.axes)
+        needed = [row for row, axis in enumerate(self.axes) if not unnamed[row]]
+        known = all(self.position[row] is not None and (row not in found or self.axes[row] not in LINEAR) for row in needed)
+        return found if known else None
 
     @property
     def codes_in_force(self) -> set[int]:

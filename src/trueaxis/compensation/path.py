@@ -149,7 +149,7 @@ class MoveTable:
     @property
     def unnamed(self) -> Held:
         """(n_axes, n)."""
-        return self._flags(lambda item: item.unnamed if isinstance(item, Move) else ())
+        return self._flags(lambda item: item.unnamed)
 
     @property
     def shift(self) -> FloatArray:

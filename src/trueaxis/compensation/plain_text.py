@@ -1,5 +1,5 @@
 """The lines of a text that have only words that most blocks are made of, found and read all at once: N, codes of G,
-axes, I J K R and F, in this order, then a comment; or, without axes and centres, codes of G and M and S besides.
+axes and I J K R, with F before or behind these, then a comment; or, without axes and centres, M and S besides.
 
 Bytes are sorted into classes; which classes may follow each other, and the order of letters, decides which lines are
 such. The digits of a number make a whole number, exact in doubles, which is divided once by a power of ten: that rounds
@@ -55,7 +55,7 @@ class PlainText:
 
     source: its bytes. starts: (n + 1,), where lines begin, and where the last ends. plain: (n,), whether a line is as
     said; of those: code: G0 to G3, -1 where it has none, in the source from code_at to code_end; feed: F, NaN where it
-    has none; blank: whether there is a blank; returned: whether the line ends in CR LF; lead, tail: where the words of
+    has none; led: whether more than N and a motion stands before words; blank: whether there is a blank; returned: whether the line ends in CR LF; lead, tail: where the words of
     axes and centres begin and end.
     first: (n + 1,), at which of these words lines begin. Of the words, each (m,): line; letter, its place in LETTERS;
     value; decimals, digits behind the dot, -1 where there is none; place, end, in the source.
@@ -69,6 +69,7 @@ class PlainText:
     code_at: NDArray[np.int64]
     code_end: NDArray[np.int64]
     feed: FloatArray
+    led: NDArray[np.bool_]
     blank: NDArray[np.bool_]
     returned: NDArray[np.bool_]
     lead: NDArray[np.int64]
@@ -131,7 +132,8 @@ def plain_text(
     each = np.bincount(line[words], minlength=ends.size)
 
     plain = np.ones(ends.size, dtype=bool)
-    bad = _bad_words(marks, words, undotted_mm) | _bad_codes(marks, each > 0, modes, switches)
+    bad = _bad_words(marks, words, undotted_mm) | _bad_codes(marks, modes, switches)
+    bad |= _misplaced(marks, each > 0)
     bad[ends] = False
     plain[line[bad]] = False
     alike = np.frombuffer(source.translate(_ALIKE_OF), dtype=np.uint8)
@@ -166,12 +168,8 @@ def _bad_words(marks: Marks, words: NDArray[np.int64], undotted_mm: bool) -> NDA
     return bad
 
 
-def _bad_codes(
-    marks: Marks, moves: NDArray[np.bool_], modes: Collection[int], switches: Collection[int]
-) -> NDArray[np.bool_]:
-    """Which words are none that a plain line may have behind those before; moves: whether a line has words of axes or
-    centres.
-    """
+def _bad_codes(marks: Marks, modes: Collection[int], switches: Collection[int]) -> NDArray[np.bool_]:
+    """Which codes are none that a plain line may have, or one too many."""
     kind, line = marks.kind, marks.line
     bad = np.zeros(kind.size, dtype=bool)
     for of, known in ((_G, (*range(_MOTIONS), *modes)), (_M, (*switches,))):
@@ -179,14 +177,30 @@ def _bad_codes(
         may = np.zeros(_CODES, dtype=bool)
         may[np.array(known, dtype=np.int64)] = True
         bad[codes] = ~may[np.clip(marks.value[codes], 0, _CODES - 1).astype(np.int64)]
-    for single in ((kind == _G) & (marks.value < _MOTIONS), kind == _S):  # one in a line
+    for single in ((kind == _G) & (marks.value < _MOTIONS), kind == _F, kind == _S):
         at = np.flatnonzero(single)
         bad[at[1:][line[at[1:]] == line[at[:-1]]]] = True
-    back = 1 + np.flatnonzero((kind[1:] <= kind[:-1]) & (kind[1:] != _NEWLINE))
-    after_code = (kind[back] == _G) & (kind[back - 1] == _G)
-    bad[back[~after_code & (moves[line[back]] | ~np.isin(kind[back], (_G, _S, _M)))]] = True
+    return bad
+
+
+def _misplaced(marks: Marks, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which words stand where no plain line has them; moves: whether a line has words of axes or centres."""
+    kind, line = marks.kind, marks.line
+    bad = np.zeros(kind.size, dtype=bool)
     aside = np.flatnonzero(kind >= _S)
     bad[aside[moves[line[aside]]]] = True
+    back = 1 + np.flatnonzero((kind[1:] <= kind[:-1]) & (kind[1:] != _NEWLINE))
+    if not back.size:
+        return bad
+    this, before = kind[back], kind[back - 1]
+    word, at_rest = (this >= _X) & (this <= _R), ~moves[line[back]]
+    fine = ((this == _G) & (before == _G)) | (at_rest & np.isin(this, (_G, _S, _M)))
+    fine |= word & (before <= _R)  # once each
+    fine |= word & (before == _F) & ((kind[back - 2] < _X) | (kind[back - 2] > _R))  # F before all of them
+    bad[back[~fine]] = True
+    again = np.flatnonzero(np.isin(line, line[back[word]]) & (kind >= _X) & (kind <= _R))
+    _, first = np.unique(line[again] * np.int64(_CODES) + kind[again], return_index=True)
+    bad[np.delete(again, first)] = True
     return bad
 
 
@@ -199,10 +213,14 @@ def _of_lines(marks: Marks, count: int) -> dict[str, Any]:
     feed[line[feeds]], code[line[motions]] = number[feeds], number[motions]
     code_at[line[motions]] = marks.place[motions] - 1
     code_end[line[motions]] = marks.place[motions] + marks.digits[motions]
+    led = np.zeros(count, dtype=bool)
+    led[line[1:][(kind[:-1] == _F) & (kind[1:] >= _X)]] = True
+    led[line[codes[number[codes] >= _MOTIONS]]] = True
     others = (codes[number[codes] >= _MOTIONS], np.flatnonzero(kind == _M))
     modes, switches = (Codes(line[at], number[at].astype(np.int64)) for at in others)
     return {
-        "code": code, "code_at": code_at, "code_end": code_end, "feed": feed, "modes": modes, "switches": switches
+        "code": code, "code_at": code_at, "code_end": code_end, "feed": feed, "led": led, "modes": modes,
+        "switches": switches,
     }  # fmt: skip
 
 
