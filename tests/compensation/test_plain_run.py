@@ -25,13 +25,14 @@ NUMBERS = st.one_of(
 )
 WORDS = st.tuples(*[st.one_of(st.none(), NUMBERS)] * 3)
 GAPS = st.sampled_from([" ", " ", " ", "", "  ", "\t"])
-AXES_ALONE = st.tuples(WORDS, GAPS).map(
-    lambda pair: pair[1].join(f"{a}{n}" for a, n in zip("XYZ", pair[0], strict=True) if n is not None)
+AXES_ALONE = st.tuples(WORDS, GAPS, st.sampled_from(["", "", "", "", " ", "\t "])).map(
+    lambda made: made[1].join(f"{a}{made[2]}{n}" for a, n in zip("XYZ", made[0], strict=True) if n is not None)
 )
 LEADS = st.sampled_from(
     ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 ", "G90 ",
      "N5 G0 G90 ", "G90G1", "G17 G90 G1 ", "G54 G1 ", "G91 G1 ", "G1 G0 ", "G40 ", "G1 G1 ", "G94 S9 ", "G53 G0 ",
-     "F90 ", "G1 F95", "N5 G3F80.", "F1 F2 ", "G0 F100. G1 ", "F70 G1", "G90 F60 G1 "]
+     "F90 ", "G1 F95", "N5 G3F80.", "F1 F2 ", "G0 F100. G1 ", "F70 G1", "G90 F60 G1 ", "F 8. ",
+     "G 1 ", "X 1.5 ", "N 5 "]
 )
 TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
@@ -50,13 +51,14 @@ OTHER = st.sampled_from(
 # from anywhere: by R to places far less than 2 R apart, full circles, half circles where G91 is in force; no arcs
 ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 ", "G17 G2 ", "G90G3", "G2 G90 ", "G2 F40. ", "G3 R280. "])
 ARCS = st.one_of(
-    st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5", "R300.X9."])).map(
+    st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5", "R300.X9.", " R 300. "])).map(
         "".join
     ),
     st.tuples(
         ARC_CODES,
         st.sampled_from(["", "Z4.5 ", "X0. Y0.", "X10. Y0. ", "X10.0 Z1.", "X0. Z10. "]),
-        st.sampled_from(["I5.", "J-5.125", "I5. J0.", "I5. K0", "I3. J4. F200", "K4.", "J2.K3.", "I5. J0. R5.", "R0."]),
+        st.sampled_from(["I5.", "J-5.125", "I5. J0.", "I5. K0", "I3. J4. F200", "K4.", "J2.K3.", "I5. J0. R5.", "R0.",
+                          "I 5. J -0.", "I\t5."]),
         st.sampled_from(["", "", " (round)", "  ", " P2"]),
     ).map("".join),
 )

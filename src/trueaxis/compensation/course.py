@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.path import Path
 from trueaxis.effects.placement import FARTHEST
@@ -37,12 +38,12 @@ class Course:
 
     def context(self, motion: NDArray[np.int64], place: FloatArray, time: float, temperature: float) -> Context:
         """At shares `place` (n,) of the motions given; time s, temperature degC."""
-        start, midst, end = (part[:, motion] for part in self.velocity)
+        start, midst, end = (columns_of(part, motion) for part in self.velocity)
         ramp = self.ramp[motion]
         rising, falling = np.maximum(1.0 - place / ramp, 0.0), np.maximum(1.0 - (1.0 - place) / ramp, 0.0)
         way, passed, path = self.since[..., motion] + place * self.gone[..., motion]
         return Context(
-            directions=self.direction[:, motion],
+            directions=columns_of(self.direction, motion),
             velocity=midst + rising * (start - midst) + falling * (end - midst),
             since_reversal=way,
             time_since=passed,
@@ -67,9 +68,9 @@ class Course:
 
     def with_halts(self, motion: NDArray[np.int64], halt: NDArray[np.bool_]) -> "Course":
         """The course of the motions given, some of which go nowhere: in the state in which they would start."""
-        start, midst, end = (part[:, motion] for part in self.velocity)
+        start, midst, end = (columns_of(part, motion) for part in self.velocity)
         return Course(
-            direction=self.direction[:, motion],
+            direction=columns_of(self.direction, motion),
             since=self.since[..., motion],
             gone=np.where(halt, 0.0, self.gone[..., motion]),
             velocity=(start, np.where(halt, start, midst), np.where(halt, start, end)),

@@ -10,6 +10,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing, of_points
 from trueaxis.compensation.logs import Running, Summary
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
@@ -97,11 +98,11 @@ class Elsewhere:
             if points.size == 0:
                 continue
             model = placing.at(points, np.ones(points.size))
-            there, of_points = path.points[:, points], flags[:, points]
+            there, of_points = columns_of(path.points, points), columns_of(flags, points)
             change.add(change_of_words(model, there, of_points, tool_point, within), lines[points])
             rows = self._rows_of_feeds if fed else self._rows_of_rapids
             rows |= set(np.flatnonzero(of_points.any(axis=1)).tolist())
-            free = places.uncounted[:, points]
+            free = columns_of(places.uncounted, points)
             if fed and free.any():
                 error = model.deviation(there, tool_point)
                 left = taken_back(model, there, error, free, tool_point)
@@ -153,7 +154,7 @@ def change_of_words(
             index = np.flatnonzero((elsewhere == pattern[:, None]).all(axis=0))
             for part in np.array_split(index, -(-index.size // _AT_ONCE)):
                 largest[part] = _change(
-                    of_points(model, part), points[:, part], np.flatnonzero(pattern), tool_point, within
+                    of_points(model, part), columns_of(points, part), np.flatnonzero(pattern), tool_point, within
                 )
     return largest
 

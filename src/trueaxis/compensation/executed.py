@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import of_points
 from trueaxis.compensation.lattice import Lattice, Stretch, inside_travel
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
@@ -37,7 +38,7 @@ class Executed:
         before = np.concatenate([previous[:, None], self.positions[:, :-1]], axis=1)
         there = np.where(self.passed, 0.5 * (before + self.positions), self.positions)
         last = np.append(np.diff(self.point) > 0, True)
-        return np.asarray(there[:, last])
+        return columns_of(there, last)
 
 
 def execute(
@@ -59,7 +60,7 @@ def execute(
     chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
     base = stretch.base(previous)
     inside = inside_travel(chosen.positions, Lattice(base[:, None], stretch.step), model, tool_point)
-    held_now = held[:, chosen.point - stretch.first]
+    held_now = columns_of(held, chosen.point - stretch.first)
     stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
     return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import Arcs
+from trueaxis.compensation.columns import Arcs, columns_of
 from trueaxis.compensation.machine import LINEAR, FloatArray, rotary_rows
 from trueaxis.compensation.settings import Settings
 
@@ -164,13 +164,13 @@ class _Joiner:
 
     def _made(self, pieces: _Open) -> tuple[NDArray[np.bool_], Pieces]:
         """Which pieces pass all their points as one arc, and these."""
-        rows = self._rows[:, pieces.of]
+        rows = columns_of(self._rows, pieces.of)
         start, end = self._written[rows, pieces.first], self._written[rows, pieces.last]
         count = pieces.last - pieces.first - 1
         of = np.repeat(np.arange(count.size), count)  # the piece of each point between
         begin = np.cumsum(count) - count
         point = np.arange(of.size) - begin[of] + pieces.first[of] + 1
-        aims = self._wanted[rows[:, of], point]
+        aims = self._wanted[columns_of(rows, of), point]
         sense, step = self._sense[pieces.of], self._step[pieces.of]
         with np.errstate(invalid="ignore", divide="ignore"):  # what is no arc is not taken
             centre = _centre(start, end, aims[:, begin + count // 2])
@@ -187,7 +187,7 @@ class _Joiner:
             distance = np.sqrt(((places - aims) ** 2).sum(axis=0))
             good = np.logical_and.reduceat(inside & (distance <= self._limit), begin)
         kept = good[of]
-        self.placed[rows[:, of[kept]], point[kept]] = places[:, kept]
+        self.placed[columns_of(rows, of[kept]), point[kept]] = columns_of(places, kept)
         self.inner = np.concatenate([self.inner, point[kept]])
         return good, Pieces(pieces.last[good], (centre - start[:2])[:, good], rows[:2, good], radius[good])
 
@@ -203,13 +203,14 @@ def _on_arc(
     radii = np.hypot(*first), np.hypot(*last)
     begin = np.arctan2(first[1], first[0])
     sweep = (sense * (np.arctan2(last[1], last[0]) - begin)) % (2.0 * math.pi)
-    off = aims[:2] - centre[:, of]
+    about = columns_of(centre, of)
+    off = aims[:2] - about
     turned = (sense[of] * (np.arctan2(off[1], off[0]) - begin[of]) + math.pi) % (2.0 * math.pi) - math.pi
     right = (radii[0] > 0.0) & (sweep > 0.0) & (sweep < math.pi)
     inside = right[of] & (turned >= -_BESIDE) & (turned <= sweep[of] + _BESIDE)
     share = turned / sweep[of]
     size = radii[0][of] + share * (radii[1] - radii[0])[of]
-    places = np.vstack([centre[:, of] + off * (size / np.hypot(*off)), start[2][of] + share * (end[2] - start[2])[of]])
+    places = np.vstack([about + off * (size / np.hypot(*off)), start[2][of] + share * (end[2] - start[2])[of]])
     return places, inside
 
 

@@ -5,6 +5,7 @@ each other. A block that differs in anything ends a run, and is left to it.
 """
 
 import math
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_run_arcs import ArcReader
 from trueaxis.compensation.nc_state import NcState
-from trueaxis.compensation.plain_text import LETTERS, plain_text
+from trueaxis.compensation.plain_text import LETTERS, PlainText, plain_text
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 FEWEST = 12  # blocks: below, arrays cost more than they save
@@ -34,6 +35,21 @@ class Run(NamedTuple):
     size: int
 
 
+@dataclass(slots=True, kw_only=True)
+class Reading:
+    """A text that is being read, and how far. number: of its first line. others: its lines that are not plain, and its
+    end. none_before: the line of it up to which no run begins. ahead: lines that are taken together at most: few after
+    an arc that is none, twice as many after each run of as many, so that none is looked at many times.
+    """
+
+    text: str
+    number: int
+    lines: PlainText
+    others: NDArray[np.int64]
+    ahead: int
+    none_before: int = 0
+
+
 class RunReader:
     """Finds runs in the text of one program."""
 
@@ -44,54 +60,49 @@ class RunReader:
         self._known = all(axis in state.row for axis in LINEAR)
         self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in state.axes])
         self._row = np.array([state.row.get(letter, -1) for letter in LETTERS])
-        self._text, self._first = "", 0  # the text read last, and the number of its first line
-        self._lines = plain_text("", undotted_mm=True)
-        self._others = np.zeros(1, dtype=np.int64)  # its lines that are not plain, and its end
-        self._looked = 0  # line of it up to which no run begins
-        self._most = 0  # lines to look at: few after an arc that is none, so that no text is read many times
+        self._read = self._reading(0, "")
 
     def read(self, number: int, text: str) -> Run | None:
         """The run that begins at line `number`, which is in this text; None, and nothing changed, if none does."""
         if not self._known or len(text) < FEWEST:
             return None
-        if text is not self._text:
-            self._begin(number, text)
-        first = number - self._first
-        if first < self._looked or self._state.not_to_name is None:
+        if text is not self._read.text:
+            self._read = self._reading(number, text)
+        read, state = self._read, self._state
+        first = number - read.number
+        if first < read.none_before or state.not_to_name is None:
             return None
-        if self._state.cycle is not None:
-            return self._holes(number, first) if self._state.goes_on_plainly else None
-        most = min(int(self._others[np.searchsorted(self._others, first)]), first + self._most)
-        last = self._alike(first, most) if most - first >= FEWEST else first
-        run = self._run(number, first, last) if last - first >= FEWEST else None
-        if run is None or run.lines < last - first:
-            self._most = max(2 * (0 if run is None else run.lines), 2 * FEWEST)
-        else:
-            self._most *= 2
+        end = int(read.others[np.searchsorted(read.others, first)])
+        if state.cycle is not None:
+            return self._holes(number, first, end) if state.goes_on_plainly else None
+        last = self._alike(first, end) if end - first >= FEWEST else first
+        last = min(last, first + read.ahead)
+        if last - first < FEWEST:
+            read.none_before = max(last, first + 1)
+            return None
+        run = self._run(number, first, last)
         if run is None:
-            self._looked = max(last, first + 1)
+            read.ahead, read.none_before = 2 * FEWEST, last
+        else:
+            read.ahead = 2 * (read.ahead if run.lines == last - first else max(run.lines, FEWEST))
         return run
 
-    def _begin(self, number: int, text: str) -> None:
-        """Read a text."""
+    def _reading(self, number: int, text: str) -> Reading:
+        """Of a text that begins with line `number`."""
         siemens = self._settings.dialect == "siemens"  # R is a variable there, and only ; begins a comment
         lines = plain_text(text, self._settings.undotted == "mm", not siemens, self._modes, codes.SWITCHES)
         foreign = [axis for axis in ROTARY if axis not in self._state.row] + ["R"] * siemens
         plain = np.append(lines.plain, False)  # what is behind the last line end is no line
         for letter in foreign:
             plain[lines.line[lines.letter == LETTERS.index(letter)]] = False
-        self._text, self._first, self._lines = text, number, lines
-        self._looked, self._most, self._others = 0, plain.size, np.flatnonzero(~plain)
+        return Reading(text=text, number=number, lines=lines, others=np.flatnonzero(~plain), ahead=plain.size)
 
-    def _holes(self, number: int, first: int) -> Run | None:
-        """The run of holes that begins at this line."""
-        state, lines, hole = self._state, self._lines, self._cycles.further()
-        last = int(self._others[np.searchsorted(self._others, first)])
-        last = (
-            holes_alike(lines, first, last, state, hole) if hole is not None and last - first >= FEWEST_HOLES else first
-        )
+    def _holes(self, number: int, first: int, end: int) -> Run | None:
+        """The run of holes that begins at this line; end: of the plain lines there."""
+        state, lines, hole = self._state, self._read.lines, self._cycles.further()
+        last = holes_alike(lines, first, end, state, hole) if hole is not None and end - first >= FEWEST_HOLES else first
         if hole is None or last - first < FEWEST_HOLES:
-            self._looked = max(last, first + 1)
+            self._read.none_before = max(last, first + 1)
             return None
         moves, _ = self._motions(first, last)
         written, given = self._table(first, last, moves)
@@ -104,7 +115,7 @@ class RunReader:
 
     def _alike(self, first: int, last: int) -> int:
         """Up to which of these plain lines those that move can be taken together; the first itself if it cannot."""
-        state, lines, part = self._state, self._lines, slice(first, last)
+        state, lines, part = self._state, self._read.lines, slice(first, last)
         words = slice(*lines.first[[first, last]].tolist())
         letter, line = lines.letter[words], lines.line[words] - first
         moves, motion = self._motions(first, last)
@@ -134,14 +145,14 @@ class RunReader:
 
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
-        code, before = self._lines.code[first:last], self._state.motion
-        return np.diff(self._lines.first[first : last + 1]) > 0, _kept(
+        code, before = self._read.lines.code[first:last], self._state.motion
+        return np.diff(self._read.lines.first[first : last + 1]) > 0, _kept(
             code, code >= 0, -1 if before is None else before
         )
 
     def _run(self, number: int, first: int, last: int) -> Run | None:
         """The run of these lines, as far as their arcs are arcs."""
-        state, lines = self._state, self._lines
+        state, lines = self._state, self._read.lines
         moves, motion = self._motions(first, last)
         index = first + np.flatnonzero(moves)
         if index.size < FEWEST:
@@ -175,7 +186,7 @@ class RunReader:
 
     def _table(self, first: int, last: int, moves: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], FloatArray]:
         """Which axes the lines that move name, and their numbers, mm and deg, each (n_axes, n)."""
-        lines, of_text = self._lines, slice(*self._lines.first[[first, last]].tolist())
+        lines, of_text = self._read.lines, slice(*self._read.lines.first[[first, last]].tolist())
         letter = lines.letter[of_text]
         axes = letter <= _LAST_AXIS
         letter, line = letter[axes], lines.line[of_text][axes] - first
@@ -189,7 +200,7 @@ class RunReader:
 
     def _places(self, first: int, last: int, index: NDArray[np.int64]) -> BlockPlaces:
         """Where the text of these lines is, in that from the first to the last."""
-        lines = self._lines
+        lines = self._read.lines
         own = lines.code[index] >= 0
         places = BlockPlaces(
             begin=lines.starts[index],
@@ -204,7 +215,7 @@ class RunReader:
 
     def _keep(self, run: PlainRun, first: int, last: int, moved: int, feed: float) -> None:
         """Take into the state what a run has set; moved: its last line that moves."""
-        state, lines = self._state, self._lines
+        state, lines = self._state, self._read.lines
         motions = np.flatnonzero(lines.code[first:last] >= 0)
         state.motion = int(run.motion[-1])
         state.in_force = None if state.motion > 1 else state.motion  # an arc may have become lines
@@ -224,7 +235,7 @@ class RunReader:
             at = np.flatnonzero(letter == LETTERS.index(axis))
             if at.size:
                 place, end = (int(of[words][at[-1]]) for of in (lines.place, lines.end))
-                state.numbers[row] = self._text[place + 1 : end]
+                state.numbers[row] = self._read.text[place + 1 : end].strip()
 
 
 def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArray[Any]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import NO_ARCS, Arcs, PlainRun, chords
+from trueaxis.compensation.columns import NO_ARCS, Arcs, PlainRun, chords, columns_of
 from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.moves import Kind, Move
 
@@ -241,8 +241,8 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
         return out
 
     cut = chords(
-        xyz(starts[:, arcs]),
-        xyz(ends[:, arcs]),
+        xyz(columns_of(starts, arcs)),
+        xyz(columns_of(ends, arcs)),
         round_ones,
         chord_tolerance,
     )
@@ -256,7 +256,7 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
     straight = np.setdiff1d(np.arange(len(moves)), arcs, assume_unique=True)
     owner = np.concatenate([straight, of_arc])
     order = np.argsort(owner, kind="stable")
-    points = np.concatenate([ends[:, straight], on_arcs], axis=1)[:, order]
+    points = columns_of(np.concatenate([columns_of(ends, straight), on_arcs], axis=1), order)
     owner = owner[order]
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
     origins[:, stated[owner]] = np.nan  # such a move is no arc in G90: it has one point

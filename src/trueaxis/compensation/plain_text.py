@@ -29,8 +29,8 @@ _FOLLOWS: dict[int, set[int]] = {
     _NEWLINE: {_N} | _BEHIND,
     _N: {_DIGIT},
     _G: {_DIGIT},
-    _NUMBER: {_SIGN, _DIGIT, _DOT},
-    _SIZE: {_DIGIT, _DOT},
+    _NUMBER: {_SIGN, _DIGIT, _DOT, _BLANK},
+    _SIZE: {_DIGIT, _DOT, _BLANK},
     _SIGN: {_DIGIT, _DOT},
     _DIGIT: {_DIGIT, _DOT} | _BEHIND,
     _DOT: {_DIGIT} | _BEHIND,
@@ -99,13 +99,14 @@ class Codes(NamedTuple):
 
 class Marks(NamedTuple):
     """Line ends and letters, k of them: each begins what goes up to the next. Each (k,): place in the bytes, kind: class
-    of the letter, line, and the number behind it, of no use where it is none: value, and how many digits, dots, and
-    digits behind the dot it has.
+    of the letter, line, and the number behind it, of no use where it is none: where it begins, its value, and how many
+    digits, dots, and digits behind the dot it has.
     """
 
     place: NDArray[np.int64]
     kind: NDArray[np.uint8]
     line: NDArray[np.int64]
+    begin: NDArray[np.int64]
     value: FloatArray
     digits: NDArray[np.int64]
     dots: NDArray[np.int64]
@@ -138,12 +139,14 @@ def plain_text(
     plain[line[bad]] = False
     alike = np.frombuffer(source.translate(_ALIKE_OF), dtype=np.uint8)
     follows = np.frombuffer((alike[:-1] * 16 + alike[1:]).tobytes().translate(_MAY_FOLLOW), dtype=np.bool_)
-    plain[np.searchsorted(newline, np.flatnonzero(~follows) + 1) - 1] = False
+    behind = np.flatnonzero(~follows) + 1
+    apart = marks.begin[(marks.begin > place + 1) & (kind >= _X) & (kind <= _S)]  # numbers behind their letters and blanks
+    plain[np.searchsorted(newline, behind[~np.isin(behind, apart)]) - 1] = False
 
     count = text.count("\n")
     first = np.concatenate([[0], np.cumsum(each)])
     begin = place[words]
-    end = begin + (of[begin + 1] == _SIGN) + marks.digits[words] + marks.dots[words]
+    end = marks.begin[words] - 1 + (of[marks.begin[words]] == _SIGN) + marks.digits[words] + marks.dots[words]
     lead = tail = np.zeros(count, dtype=np.int64)
     if words.size:
         lead = begin[np.minimum(first[:count], words.size - 1)] - 1
@@ -233,9 +236,8 @@ def _blanks(comment: re.Match[str]) -> str:
 
 def _numbers(
     signs: NDArray[np.uint8], of: NDArray[np.uint8], marks: NDArray[np.int64]
-) -> tuple[FloatArray, NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """The number behind each mark, how many digits it has, how many dots, and how many digits behind the dot; of no use
-    where it is none.
+) -> tuple[NDArray[np.int64], FloatArray, NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Of the numbers behind marks what Marks says of them: where they begin, and so on.
 
     signs: all bytes; of: their classes.
     """
@@ -244,11 +246,16 @@ def _numbers(
     dot, owner = np.flatnonzero(of == _DOT), np.repeat(np.arange(marks.size), dots)
     decimals = np.zeros(marks.size, dtype=np.int64)
     decimals[owner] = (before[marks] + digits)[owner] - before[dot]
-    last, first = signs.size - 1, np.minimum(marks + 1, signs.size - 1)
+    last = signs.size - 1
+    first = np.minimum(marks + 1, last)
+    apart = np.flatnonzero(of[first] == _BLANK)
+    if apart.size:
+        solid = np.flatnonzero(of != _BLANK)
+        first[apart] = solid[np.searchsorted(solid, first[apart])]
     begin, whole = first + (of[first] == _SIGN), digits - decimals  # where digits begin, and how many before the dot
     value = np.zeros(marks.size, dtype=np.int64)
     for place in range(min(int(digits.max(initial=0)), _MOST_DIGITS.max())):
         digit = signs[np.minimum(begin + (place + (place >= whole)), last)].astype(np.int64) - ord("0")
         value = np.where(place < digits, 10 * value + digit, value)
     size = value / _POWERS[np.minimum(decimals, _POWERS.size - 1)]
-    return np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals
+    return first, np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals

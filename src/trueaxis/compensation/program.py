@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import NO_ARCS, PlainRun
+from trueaxis.compensation.columns import NO_ARCS, PlainRun, columns_of
 from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
@@ -167,9 +167,9 @@ class Compensator:
         held = moves.held
         waiting = held & self._corrected
         self._note_held(moves, waiting)
-        held, waiting = held[:, of], waiting[:, of]
-        places = Places(waiting, moves.elsewhere[:, of], moves.unnamed[:, of])
-        shift = moves.shift[:, of]
+        held, waiting = columns_of(held, of), columns_of(waiting, of)
+        places = Places(waiting, columns_of(moves.elsewhere, of), columns_of(moves.unnamed, of))
+        shift = columns_of(moves.shift, of)
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
@@ -186,7 +186,7 @@ class Compensator:
         before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
             moves.arcs if self._arcs_stay else NO_ARCS, path.owner[done.point], done.positions,
-            solved.linear.commands, before, steps[:, done.point], axes, settings,
+            solved.linear.commands, before, columns_of(steps, done.point), axes, settings,
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
         if self._changes is not None:
@@ -207,14 +207,14 @@ class Compensator:
     ) -> list[str]:
         """The text of each item; lattices: steps of words, and position minus word, (n_axes, n_points)."""
         at, shares, arcs = blocks.blocks(shares)
-        owner, positions = path.owner[done.point[at]], done.positions[:, at]
+        owner, positions = path.owner[done.point[at]], columns_of(done.positions, at)
         self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], positions[:, :-1]], axis=1)
         self._written, self._settled = positions[:, -1], True
         ends = moves.ends
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
-        programmed = (ends[:, owner], starts[:, owner])
-        steps, shift = (of_points[:, done.point[at]] for of_points in lattices)
+        programmed = (columns_of(ends, owner), columns_of(starts, owner))
+        steps, shift = (columns_of(of_points, done.point[at]) for of_points in lattices)
         return self._writer.texts(moves, owner, positions, before, (steps, shift), programmed, shares, arcs)
 
     def _note_held(self, moves: MoveTable, held: Held) -> None:

@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.machine import ROTARY, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.solve import SINGULAR
 from trueaxis.model.covariance import Covariance
@@ -48,8 +49,8 @@ class _Cells:
         few = self._neighbours_together()  # as a program stays a while in each cell
         order = np.argsort(few.keys, kind="stable")
         return _Cells(
-            keys=few.keys[order], position=few.position[:, order], correction=few.correction[order],
-            low=few.low[:, order], high=few.high[:, order],
+            keys=few.keys[order], position=columns_of(few.position, order), correction=few.correction[order],
+            low=columns_of(few.low, order), high=columns_of(few.high, order),
         )._neighbours_together()  # fmt: skip
 
     def _neighbours_together(self) -> "_Cells":
@@ -61,7 +62,7 @@ class _Cells:
         there = np.flatnonzero(self.correction == np.repeat(largest, np.diff(first, append=self.keys.size)))
         return _Cells(
             keys=self.keys[first],
-            position=self.position[:, there[np.searchsorted(there, first)]],
+            position=columns_of(self.position, there[np.searchsorted(there, first)]),
             correction=largest,
             low=np.minimum.reduceat(self.low, first, axis=1),
             high=np.maximum.reduceat(self.high, first, axis=1),
@@ -121,8 +122,8 @@ class Visited:
         if parts.max() > 1:
             source = np.repeat(np.arange(parts.size), parts)
             share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
-            way, corrections = way[:, source], np.where(share == 0.0, corrections[source], 0.0)
-            positions, way = positions[:, source] - share * way, way / parts[source]
+            way, corrections = columns_of(way, source), np.where(share == 0.0, corrections[source], 0.0)
+            positions, way = columns_of(positions, source) - share * way, way / parts[source]
         self._note(positions, way, corrections)
         while self._cells.keys.size > MOST_CELLS:
             self._halve()

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import BlockPlaces, PlainRun
+from trueaxis.compensation.columns import BlockPlaces, PlainRun, columns_of
 from trueaxis.compensation.kept_arcs import Pieces
 from trueaxis.compensation.settings import MM_PER_INCH
 
@@ -110,8 +110,8 @@ class RunBlocks:
         return replace(
             self,
             pieces=np.add.reduceat(kept.astype(np.int64), np.cumsum(self.pieces) - self.pieces),
-            counts=self.counts[:, kept],
-            stay=self.stay[:, kept],
+            counts=columns_of(self.counts, kept),
+            stay=columns_of(self.stay, kept),
             unchanged=self.unchanged[kept],
             arcs=self.arcs.some(np.flatnonzero(kept[self.arcs.at]))._replace(
                 at=(np.cumsum(kept) - 1)[self.arcs.at[kept[self.arcs.at]]]
@@ -137,7 +137,7 @@ class RunBlocks:
     @cached_property
     def _named(self) -> NDArray[np.bool_]:
         """Axis words that are written, (n_axes, p)."""
-        return (self.run.written[:, self._block] & self._first) | ~self.stay
+        return (columns_of(self.run.written, self._block) & self._first) | ~self.stay
 
     @cached_property
     def _places(self) -> BlockPlaces:
@@ -154,7 +154,7 @@ class RunBlocks:
     @cached_property
     def _as_it_is(self) -> NDArray[np.bool_]:
         """Whether a block stays as it was read."""
-        added = (self._named & ~self.run.written[:, self._block]).any(axis=0)
+        added = (self._named & ~columns_of(self.run.written, self._block)).any(axis=0)
         straight = self.run.motion[self._block] <= _LINE
         return self.unchanged & ~self.cut[self._block] & straight & ~added & self.run.stays
 

@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import MOST_CHORDS, PlainRun, chord_counts
+from trueaxis.compensation.columns import MOST_CHORDS, PlainRun, chord_counts, columns_of
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows
@@ -141,7 +141,7 @@ def _bent(
     high: FloatArray,
 ) -> NDArray[np.bool_]:
     """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
-    origin, point = path.origins[:, owner], path.points[:, owner]
+    origin, point = columns_of(path.origins, owner), columns_of(path.points, owner)
     span = point - origin
     at_low, at_high = (
         along.correction(placing.at(owner, share), origin + share * span) for share in (low, high)
@@ -152,9 +152,9 @@ def _bent(
     of = slice(None) if count.max() == 1 else np.repeat(np.arange(owner.size), count)
     share = (np.arange(1, count.sum() + 1) - first[of]) / (count + 1)[of]
     place = low[of] + share * (high - low)[of]
-    positions = origin[:, of] + place * span[:, of]
+    positions = columns_of(origin, of) + place * columns_of(span, of)
     correction = along.correction(placing.at(owner[of], place), positions)
-    straight = at_low[:, of] + share * (at_high - at_low)[:, of]
+    straight = columns_of(at_low, of) + share * columns_of(at_high - at_low, of)
     return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first) > SHARE)
 
 
@@ -162,11 +162,12 @@ def _cut(path: Path, placing: Placing, owner: NDArray[np.int64], share: FloatArr
     """The path with further points at the shares of the motions given."""
     if owner.size == 0:
         return path, placing
-    inserted = path.origins[:, owner] + share * (path.points - path.origins)[:, owner]
+    origins = columns_of(path.origins, owner)
+    inserted = origins + share * (columns_of(path.points, owner) - origins)
     motion = np.concatenate([owner, np.arange(path.size)])
     high = np.concatenate([share, np.ones(path.size)])
     order = np.lexsort((high, motion))
-    points = np.concatenate([inserted, path.points], axis=1)[:, order]
+    points = columns_of(np.concatenate([inserted, path.points], axis=1), order)
     motion, high = motion[order], high[order]
     low = np.where(np.diff(motion, prepend=-1) > 0, 0.0, np.roll(high, 1))
     origins = np.concatenate([path.origins[:, :1], points[:, :-1]], axis=1)

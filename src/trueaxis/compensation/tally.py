@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import Of, columns_of
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.elsewhere import Elsewhere, OffsetUse, offset_use, taken_back
 from trueaxis.compensation.executed import Executed
@@ -130,7 +131,7 @@ class Tally:
         if waiting.any():
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
-            self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
+            self._stage(UNCOMMANDED, there, columns_of(written, rows), columns_of(path.points, rows), lines[rows])
             if self._controlled is None:
                 self._elsewhere.add(placing, path, places, lines, self._tool_point)
             counted = index = index[~(waiting & path.rapid)]
@@ -150,10 +151,10 @@ class Tally:
         places: Places,
     ) -> None:
         """Evaluate the programmed points that count."""
-        points, at, free = path.points[:, index], lines[index], places.uncounted[:, index]
-        target = solved.linear.target[:, index]
-        self._stage("solved", model, solved.commands[:, index], points, at, free, target)
-        error, turned = self._stage("after", model, written[:, index], points, at, free, target)
+        points, at, free = columns_of(path.points, index), lines[index], columns_of(places.uncounted, index)
+        target = columns_of(solved.linear.target, index)
+        self._stage("solved", model, columns_of(solved.commands, index), points, at, free, target)
+        error, turned = self._stage("after", model, columns_of(written, index), points, at, free, target)
         self._over_tolerance.add(at[~(length(error) <= self._settings.tolerance)])
         if solved.pose is not None and turned is not None:
             self._singular.add(at[solved.pose.singular[index]])
@@ -176,11 +177,11 @@ class Tally:
         fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
         index = slice(None) if fed.all() else np.flatnonzero(fed)
         point = done.point[index]
-        at_end, wanted_end = done.positions[:, index], done.reference[:, index]
-        executed = np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1)[:, index]
-        reference = np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1)[:, index]
+        at_end, wanted_end = columns_of(done.positions, index), columns_of(done.reference, index)
+        executed = columns_of(np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1), index)
+        reference = columns_of(np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1), index)
         middles = executed + 0.5 * (at_end - executed), reference + 0.5 * (wanted_end - reference)
-        at, free = lines[point], places.uncounted[:, point]
+        at, free = lines[point], columns_of(places.uncounted, point)
         for share, (there, wanted) in ((0.5, middles), (1.0, (at_end, wanted_end))):
             self._stage("along", placing.at(point, np.full(point.size, share)), there, wanted, at, free)
 

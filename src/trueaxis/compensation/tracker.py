@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import (
     ContextModel,
     Course,
@@ -160,7 +161,7 @@ class Tracker:
         standing = self._standing
         inch = moves.inch[path.owner]
         steps = np.where(inch, self._steps[True], self._steps[False])
-        elsewhere = moves.elsewhere[:, path.owner]
+        elsewhere = columns_of(moves.elsewhere, path.owner)
         direction, extreme = self._directions(path, steps, elsewhere)
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
         since, gone = since_reversal(path, direction, standing, duration, linear_rows(self._axes))
@@ -229,8 +230,8 @@ class Tracker:
             motion = np.sort(np.concatenate([np.arange(path.size), jumps]), kind="stable")
             leaping = np.append(motion[1:] == motion[:-1], False)
             path = Path(
-                points=np.where(leaping, path.origins[:, motion], path.points[:, motion]),
-                origins=path.origins[:, motion], owner=path.owner[motion], rapid=path.rapid[motion], halts=leaping,
+                points=np.where(leaping, columns_of(path.origins, motion), columns_of(path.points, motion)),
+                origins=columns_of(path.origins, motion), owner=path.owner[motion], rapid=path.rapid[motion], halts=leaping,
             )  # fmt: skip
             course = course.with_halts(motion, leaping)
         return path, OnCourse(self._acting.model, course, self._acting.time, self._acting.temperature)
