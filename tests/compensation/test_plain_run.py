@@ -29,10 +29,43 @@ AXES_ALONE = st.tuples(WORDS, GAPS, st.sampled_from(["", "", "", "", " ", "\t "]
     lambda made: made[1].join(f"{a}{made[2]}{n}" for a, n in zip("XYZ", made[0], strict=True) if n is not None)
 )
 LEADS = st.sampled_from(
-    ["", "", "N7 ", "N12", "G1 ", "G01", "G0", "N3 G1 ", "N4G00 ", "G2 ", "G001", "N1234567890 ", "G10 ", "G90 ",
-     "N5 G0 G90 ", "G90G1", "G17 G90 G1 ", "G54 G1 ", "G91 G1 ", "G1 G0 ", "G40 ", "G1 G1 ", "G94 S9 ", "G53 G0 ",
-     "F90 ", "G1 F95", "N5 G3F80.", "F1 F2 ", "G0 F100. G1 ", "F70 G1", "G90 F60 G1 ", "F 8. ",
-     "G 1 ", "X 1.5 ", "N 5 "]
+    [
+        "",
+        "",
+        "N7 ",
+        "N12",
+        "G1 ",
+        "G01",
+        "G0",
+        "N3 G1 ",
+        "N4G00 ",
+        "G2 ",
+        "G001",
+        "N1234567890 ",
+        "G10 ",
+        "G90 ",
+        "N5 G0 G90 ",
+        "G90G1",
+        "G17 G90 G1 ",
+        "G54 G1 ",
+        "G91 G1 ",
+        "G1 G0 ",
+        "G40 ",
+        "G1 G1 ",
+        "G94 S9 ",
+        "G53 G0 ",
+        "F90 ",
+        "G1 F95",
+        "N5 G3F80.",
+        "F1 F2 ",
+        "G0 F100. G1 ",
+        "F70 G1",
+        "G90 F60 G1 ",
+        "F 8. ",
+        "G 1 ",
+        "X 1.5 ",
+        "N 5 ",
+    ]
 )
 TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
@@ -44,21 +77,55 @@ ASIDE = [  # what moves nothing, and what it is next to
 OTHER = st.sampled_from(
     ["G0", "G1", "G91", "G90", "G20", "G21", "G0 X5. Y5. Z5.", "G1 F300", "N7 X1. Y2. F90", "(text)", "", "M6", "M0",
      "G2 X5. Y5. R90.", "G54", "G55", "G93", "G94", "M30", "Y1. X2.", "x3. y4.", "/X1.", "A5.", "X1. (end)", " X3.",
-     "g1 x2.5 y3.", "X4. ; words", "X4. ;Y5.", "(py,1)", "X5. (py,1)", "; alone", "N9", "N9 G0", "G3", "F250.",
+     "g1 x2.5 y3.",
+     "g1x2.5", "g0z5.f30", "G1Z-.1F24", "g1f20y3.", "N3g1x4.y.5",
+     "X4. ; words", "X4. ;Y5.", "(py,1)", "X5. (py,1)", "; alone", "N9", "N9 G0", "G3", "F250.",
      "G2 F90", "X1. (a) Y2.", "X1. (a) (b)", "G17", "G18", "G19", "G1 X9. Y8. (to the corner) ", "M8", "G95",
      "G18 X5.", *ASIDE]
 )  # fmt: skip
 # from anywhere: by R to places far less than 2 R apart, full circles, half circles where G91 is in force; no arcs
-ARC_CODES = st.sampled_from(["G2 ", "G03 ", "N4 G3 ", "N5G02", "", "", "N8 ", "G3", "g2 ", "G17 G2 ", "G90G3", "G2 G90 ", "G2 F40. ", "G3 R280. "])
+ARC_CODES = st.sampled_from(
+    [
+        "G2 ",
+        "G03 ",
+        "N4 G3 ",
+        "N5G02",
+        "",
+        "",
+        "N8 ",
+        "G3",
+        "g2 ",
+        "G17 G2 ",
+        "G90G3",
+        "G2 G90 ",
+        "G2 F40. ",
+        "G3 R280. ",
+    ]
+)
 ARCS = st.one_of(
-    st.tuples(ARC_CODES, AXES_ALONE, st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5", "R300.X9.", " R 300. "])).map(
-        "".join
-    ),
+    st.tuples(
+        ARC_CODES,
+        AXES_ALONE,
+        st.sampled_from([" R300.", "R300.", " R300. F90.", " R-300.", " r250.5", "R300.X9.", " R 300. "]),
+    ).map("".join),
     st.tuples(
         ARC_CODES,
         st.sampled_from(["", "Z4.5 ", "X0. Y0.", "X10. Y0. ", "X10.0 Z1.", "X0. Z10. "]),
-        st.sampled_from(["I5.", "J-5.125", "I5. J0.", "I5. K0", "I3. J4. F200", "K4.", "J2.K3.", "I5. J0. R5.", "R0.",
-                          "I 5. J -0.", "I\t5."]),
+        st.sampled_from(
+            [
+                "I5.",
+                "J-5.125",
+                "I5. J0.",
+                "I5. K0",
+                "I3. J4. F200",
+                "K4.",
+                "J2.K3.",
+                "I5. J0. R5.",
+                "R0.",
+                "I 5. J -0.",
+                "I\t5.",
+            ]
+        ),
         st.sampled_from(["", "", " (round)", "  ", " P2"]),
     ).map("".join),
 )

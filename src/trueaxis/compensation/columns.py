@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,17 +13,17 @@ from trueaxis.compensation.arcs import SAME_POINT, Arc
 from trueaxis.compensation.machine import FloatArray
 
 MOST_CHORDS = 200_000
-Of = slice | NDArray[np.int64] | NDArray[np.bool_]
+_Value = TypeVar("_Value", bound=np.generic)
 
 
-def columns_of(table: NDArray[Any], of: Of) -> NDArray[Any]:
+def columns_of(table: NDArray[_Value], of: slice | NDArray[np.int64] | NDArray[np.bool_]) -> NDArray[_Value]:
     """Some columns of a table (k, n), with each row side by side in memory.
 
     Indexing would lay each column side by side: sixteen times slower itself, and so is what is done with the rows.
     """
     if isinstance(of, slice):
         return table[:, of]
-    return np.compress(of, table, axis=1) if of.dtype == np.bool_ else table.take(of, axis=1)
+    return table.take(np.flatnonzero(of) if of.dtype == np.bool_ else of, axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -165,8 +165,8 @@ class PlainRun:
     line: (n,). motion: (n,), 0 to 3 as of G. ends: (n_axes, n), mm and deg. written: (n_axes, n), whether a block has
     the word. blank: (n,), whether a blank separates words. source: bytes; places: of the blocks in it. inserts: whether
     the G word of its motion is put into a block. arcs: of the blocks. feed: (n,).
-    held, elsewhere, unnamed, shift: of all blocks. passable: whether the tool may run through ends behind which nothing stands.
-    stays: whether a block whose words hold may stay as it is.
+    held, elsewhere, unnamed, shift: of all blocks. passable: whether the tool may run through ends behind which nothing
+    stands. stays: whether a block whose words hold may stay as it is.
     """
 
     line: NDArray[np.int64]

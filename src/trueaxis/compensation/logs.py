@@ -37,10 +37,10 @@ class Running:
 
     def add(self, values: FloatArray, lines: NDArray[np.int64]) -> None:
         """Take in the absolute values that are finite, with their lines."""
-        finite: slice | NDArray[np.bool_] = np.isfinite(values)
-        if finite.all():
-            finite = slice(None)
-        size = np.abs(values[finite])
+        finite = np.isfinite(values)
+        if not finite.all():
+            values, lines = values[finite], lines[finite]
+        size = np.abs(values)
         if size.size == 0:
             return
         mean = float(size.mean())
@@ -52,7 +52,7 @@ class Running:
         worst = int(np.argmax(size))
         if size[worst] > self._largest or not self._line:
             self._largest = float(size[worst])
-            self._line = int(lines[finite][worst])
+            self._line = int(lines[worst])
 
     def summary(self) -> Summary | None:
         """What was seen; None if nothing was."""

@@ -197,7 +197,7 @@ class Meaning:
         self.complaints.append((problem, remedy))
 
 
-_REPLACED = frozenset("XYZABCIJKR")
+REPLACED = frozenset("XYZABCIJKR")  # letters of the words that are written anew
 
 
 class BlockText(NamedTuple):
@@ -235,7 +235,7 @@ def block_text(
     for word in words:
         between = body[place : word.start]
         place = word.end
-        if word.letter in _REPLACED or (turns and word.letter == "P"):
+        if word.letter in REPLACED or (turns and word.letter == "P"):
             if out is lead:
                 out, kept = tail, kept_tail
                 lead.append(between)

@@ -17,7 +17,7 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Round, Start
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block, Meaning, block_text
+from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
 from trueaxis.compensation.nc_modes import ModeReader, half_unit_of
 from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_tools import ToolReader
@@ -83,7 +83,7 @@ class MotionReader:
         insert = meaning.motion is None and in_force != motion
         if " " in body or "\t" in body:
             state.gap = " "
-        elif len(block.words) > 1:
+        elif sum(word.letter in REPLACED for word in block.words) > 1:
             state.gap = ""
         timed = state.feed_mode == "time" and motion == 1
         text = block_text(body, block.words, state.gap, insert, motion == 1, timed, turns=arc is not None)

@@ -100,7 +100,9 @@ class RunReader:
     def _holes(self, number: int, first: int, end: int) -> Run | None:
         """The run of holes that begins at this line; end: of the plain lines there."""
         state, lines, hole = self._state, self._read.lines, self._cycles.further()
-        last = holes_alike(lines, first, end, state, hole) if hole is not None and end - first >= FEWEST_HOLES else first
+        last = (
+            holes_alike(lines, first, end, state, hole) if hole is not None and end - first >= FEWEST_HOLES else first
+        )
         if hole is None or last - first < FEWEST_HOLES:
             self._read.none_before = max(last, first + 1)
             return None
@@ -108,7 +110,9 @@ class RunReader:
         written, given = self._table(first, last, moves)
         if lines.blank[first] or lines.lead[first] > lines.starts[first] or np.count_nonzero(written[:, 0]) > 1:
             state.gap = " " if lines.blank[first] else ""
-        run = holes_run(lines, first, last, number, (written, _positions(state, self._start(), written, given)), state, hole)
+        run = holes_run(
+            lines, first, last, number, (written, _positions(state, self._start(), written, given)), state, hole
+        )
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
         self._cycles.note_further(number, int(moves.sum()))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
@@ -134,7 +138,9 @@ class RunReader:
 
     def _start(self) -> FloatArray:
         """Where the axes stand, or are taken to stand, (n_axes, 1)."""
-        position = [at if known is None else known for known, at in zip(self._state.position, self._assumed, strict=True)]
+        position = [
+            at if known is None else known for known, at in zip(self._state.position, self._assumed, strict=True)
+        ]
         return np.array(position, dtype=np.float64)[:, np.newaxis]
 
     def _in_force(self) -> set[int]:
@@ -170,7 +176,7 @@ class RunReader:
         scale, minutes = MM_PER_INCH if state.inch else 1.0, state.feed_mode == "minute"
         has_feed = np.isfinite(lines.feed[first:last])
         feed = _kept(lines.feed[first:last] * scale, has_feed, state.feed)
-        several = (lines.first[index + 1] - lines.first[index] > 1) | lines.led[index]
+        several = lines.first[index + 1] - lines.first[index] > 1
         blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
         run = PlainRun(
             line=number + index - first, motion=motion, ends=ends, written=written, absolute=state.absolute,
@@ -223,9 +229,7 @@ class RunReader:
             state.motion = state.in_force = int(lines.code[first + motions[-1]])
         state.gap, state.moved, state.feed = " " if run.blank[-1] else "", True, feed
         last_end = run.ends[:, -1].tolist()
-        state.position = [
-            None if before is None else end for before, end in zip(state.position, last_end, strict=True)
-        ]
+        state.position = [None if before is None else end for before, end in zip(state.position, last_end, strict=True)]
         spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in codes.SPINDLE]
         if spindle:
             state.spindle = codes.spindle_of(spindle[-1])

@@ -241,7 +241,9 @@ class NcState:
             return None
         unnamed = self.commanded.unnamed or (False,) * len(self.axes)
         needed = [row for row, axis in enumerate(self.axes) if not unnamed[row]]
-        known = all(self.position[row] is not None and (row not in found or self.axes[row] not in LINEAR) for row in needed)
+        known = all(
+            self.position[row] is not None and (row not in found or self.axes[row] not in LINEAR) for row in needed
+        )
         return found if known else None
 
     @property

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import Of, columns_of
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.elsewhere import Elsewhere, OffsetUse, offset_use, taken_back
 from trueaxis.compensation.executed import Executed
@@ -198,7 +198,7 @@ class Tally:
         """Note where positions put the tool instead of where the error-free machine is at `wanted`.
 
         free: (n_axes, n), linear axes of which nothing says where they are to be: what their motion would take back of
-        the error is left out. target: the tool points (3, n) of the error-free machine at `wanted`, where they are known.
+        the error is left out. target: the tool points (3, n) of the error-free machine there, where they are known.
         Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
         """
         if target is None:

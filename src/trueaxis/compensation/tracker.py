@@ -231,7 +231,8 @@ class Tracker:
             leaping = np.append(motion[1:] == motion[:-1], False)
             path = Path(
                 points=np.where(leaping, columns_of(path.origins, motion), columns_of(path.points, motion)),
-                origins=columns_of(path.origins, motion), owner=path.owner[motion], rapid=path.rapid[motion], halts=leaping,
+                origins=columns_of(path.origins, motion), owner=path.owner[motion], rapid=path.rapid[motion],
+                halts=leaping,
             )  # fmt: skip
             course = course.with_halts(motion, leaping)
         return path, OnCourse(self._acting.model, course, self._acting.time, self._acting.temperature)
