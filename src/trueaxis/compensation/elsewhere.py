@@ -14,7 +14,7 @@ from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing, of_points
 from trueaxis.compensation.logs import Running, Summary
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
-from trueaxis.compensation.path import Held, Path, Places
+from trueaxis.compensation.path import Held, Path, Places, alike
 from trueaxis.compensation.settings import Settings
 
 # Places along the travel of each such axis, by how many there are: error curves bend a few times over the travel, and
@@ -149,13 +149,11 @@ def change_of_words(
     no further than `within` (mm, deg) from the points; model: the machine at those points.
     """
     largest = np.zeros(points.shape[1])
-    for pattern in np.unique(elsewhere, axis=1).T:
-        if pattern.any():
-            index = np.flatnonzero((elsewhere == pattern[:, None]).all(axis=0))
-            for part in np.array_split(index, -(-index.size // _AT_ONCE)):
-                largest[part] = _change(
-                    of_points(model, part), columns_of(points, part), np.flatnonzero(pattern), tool_point, within
-                )
+    for index in alike(elsewhere):
+        pattern = np.flatnonzero(elsewhere[:, index[0]])
+        for part in np.array_split(index, -(-index.size // _AT_ONCE)):
+            there = columns_of(points, part)
+            largest[part] = _change(of_points(model, part), there, pattern, tool_point, within)
     return largest
 
 

@@ -12,10 +12,16 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Notes, Start
 from trueaxis.compensation.nc_lexer import Meaning, decimals_of
-from trueaxis.compensation.nc_state import MODE_NOTES, NcState
+from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
+
+
+MODE_NOTES = {
+    "inch": "no G20 or G21 before this motion: it is read in mm, and is wrong on a control that starts in inches",
+    "absolute": "no G90 or G91 before this motion: it is read as G90, and is wrong on a control that starts in G91",
+}
 
 
 class ModeReader:
@@ -92,6 +98,16 @@ class ModeReader:
             for mode, text in MODE_NOTES.items():
                 if mode not in self._state.said:
                     self._notes.add(number, text)
+
+
+def codes_in_force(state: NcState) -> set[int]:
+    """G codes (whole ones) of the plane, the distances, the units and of how F counts that change nothing now."""
+    found = {state.plane // 10, {"minute": 94, "time": 93, "turn": 95}[state.feed_mode]}
+    if "absolute" in state.said:
+        found.add(90 if state.absolute else 91)
+    if "inch" in state.said:
+        found.add(20 if state.inch else 21)
+    return found
 
 
 def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None:

@@ -17,8 +17,9 @@ from trueaxis.compensation.cycle_blocks import holes_alike, holes_run
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
+from trueaxis.compensation.nc_modes import codes_in_force
 from trueaxis.compensation.nc_run_arcs import ArcReader
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc_state import Commanded, NcState
 from trueaxis.compensation.plain_text import LETTERS, PlainText, plain_text
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
@@ -70,7 +71,7 @@ class RunReader:
             self._read = self._reading(number, text)
         read, state = self._read, self._state
         first = number - read.number
-        if first < read.none_before or state.not_to_name is None:
+        if first < read.none_before or not_to_name(state) is None:
             return None
         end = int(read.others[np.searchsorted(read.others, first)])
         if state.cycle is not None:
@@ -126,7 +127,7 @@ class RunReader:
         centred = np.zeros(moves.size, dtype=bool)
         centred[line[letter > _LAST_AXIS]] = True
         wrong = moves & ((motion < 0) | (centred != (motion > 1)) | (lines.returned[part] != lines.returned[first]))
-        if rows := state.not_to_name:
+        if rows := not_to_name(state):
             wrong[line[np.isin(letter, [LETTERS.index(state.axes[row]) for row in rows])]] = True
             plane = [state.row[axis] for axis in codes.PLANES[state.plane][:2]]
             wrong |= moves & (motion > 1) & bool(set(plane) & set(rows))
@@ -147,7 +148,7 @@ class RunReader:
         """Codes of modes that change nothing now."""
         selected = self._frames.selected
         system = {int(selected[1:])} if selected[1:].isdecimal() else set()
-        return self._state.codes_in_force | codes.WITHOUT_MODE | system
+        return codes_in_force(self._state) | codes.WITHOUT_MODE | system
 
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
@@ -240,6 +241,20 @@ class RunReader:
             if at.size:
                 place, end = (int(of[words][at[-1]]) for of in (lines.place, lines.end))
                 state.numbers[row] = self._read.text[place + 1 : end].strip()
+
+
+def not_to_name(state: NcState) -> list[int] | None:
+    """Rows of the axes that the program has not commanded, where blocks of axis words alone are moves as long as they
+    name none of these; None where they are none even then.
+    """
+    found = state.commanded.below(Commanded.ABSOLUTE)
+    if state.feed_mode == "time" or state.ended or (state.point_control and found):
+        return None
+    unnamed = state.commanded.unnamed or (False,) * len(state.axes)
+    for row, axis in enumerate(state.axes):
+        if not unnamed[row] and (state.position[row] is None or (row in found and axis in LINEAR)):
+            return None
+    return found
 
 
 def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArray[Any]:

@@ -134,12 +134,6 @@ def _below(known: Sequence[Commanded], least: Commanded) -> tuple[bool, ...]:
     return tuple(one < least for one in known) if min(known) < least else ()
 
 
-MODE_NOTES = {
-    "inch": "no G20 or G21 before this motion: it is read in mm, and is wrong on a control that starts in inches",
-    "absolute": "no G90 or G91 before this motion: it is read as G90, and is wrong on a control that starts in G91",
-}
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cycle:
     """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
@@ -230,31 +224,6 @@ class NcState:
         return (
             self.commanded.linear_complete and None not in self.position and self.feed_mode != "time" and not self.ended
         )
-
-    @property
-    def not_to_name(self) -> list[int] | None:
-        """Rows of the axes that the program has not commanded, where blocks of axis words alone are moves as long as
-        they name none of these; None where they are none even then.
-        """
-        found = self.commanded.below(Commanded.ABSOLUTE)
-        if self.feed_mode == "time" or self.ended or (self.point_control and found):
-            return None
-        unnamed = self.commanded.unnamed or (False,) * len(self.axes)
-        needed = [row for row, axis in enumerate(self.axes) if not unnamed[row]]
-        known = all(
-            self.position[row] is not None and (row not in found or self.axes[row] not in LINEAR) for row in needed
-        )
-        return found if known else None
-
-    @property
-    def codes_in_force(self) -> set[int]:
-        """G codes (whole ones) of the plane, the distances, the units and of how F counts that change nothing now."""
-        found = {self.plane // 10, {"minute": 94, "time": 93, "turn": 95}[self.feed_mode]}
-        if "absolute" in self.said:
-            found.add(90 if self.absolute else 91)
-        if "inch" in self.said:
-            found.add(20 if self.inch else 21)
-        return found
 
     @property
     def feed_in_minutes(self) -> float:

@@ -31,6 +31,16 @@ class Places:
         return self.held & self.unnamed
 
 
+def alike(flags: Held) -> list[NDArray[np.int64]]:
+    """Indices of the columns (k, n) that have the same flags, in the order of the first of each; not of those that have
+    none.
+    """
+    kinds = (1 << np.arange(flags.shape[0])) @ flags
+    some = np.flatnonzero(kinds)
+    _, first, number = np.unique(kinds[some], return_index=True, return_inverse=True)
+    return [some[number == kind] for kind in np.argsort(first)]
+
+
 def standing(positions: FloatArray, held: Held, previous: FloatArray) -> FloatArray:
     """Positions (n_axes, n) with those of held axes as they were last; previous: (n_axes,), before the first."""
     if not held.any():

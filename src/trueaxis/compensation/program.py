@@ -15,7 +15,7 @@ from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Item, Kind, Notes, Setup, Start, Zero
-from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
+from trueaxis.compensation.path import Held, MoveTable, Path, Places, alike, follows_at_once, path_of, standing
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
@@ -219,10 +219,9 @@ class Compensator:
 
     def _note_held(self, moves: MoveTable, held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
-        waiting = np.flatnonzero(held.any(axis=0))
-        for index, line in zip(waiting.tolist(), moves.lines[waiting].tolist(), strict=True):
-            names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
-            self._notes.add(line, f"{names} {HELD}")
+        for some in alike(held):
+            names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, some[0]], strict=True) if stays)
+            self._notes.add(int(moves.lines[some[0]]), f"{names} {HELD}", some.size)
 
     def _refuse_cuts(self, moves: MoveTable, owner: NDArray[np.int64]) -> None:
         """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""

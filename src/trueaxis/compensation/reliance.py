@@ -60,23 +60,14 @@ class _Cells:
             return self
         largest = np.maximum.reduceat(self.correction, first)
         there = np.flatnonzero(self.correction == np.repeat(largest, np.diff(first, append=self.keys.size)))
-        return _Cells(
-            keys=self.keys[first],
-            position=columns_of(self.position, there[np.searchsorted(there, first)]),
-            correction=largest,
-            low=np.minimum.reduceat(self.low, first, axis=1),
-            high=np.maximum.reduceat(self.high, first, axis=1),
-        )
+        position = columns_of(self.position, there[np.searchsorted(there, first)])
+        low, high = np.minimum.reduceat(self.low, first, axis=1), np.maximum.reduceat(self.high, first, axis=1)
+        return _Cells(keys=self.keys[first], position=position, correction=largest, low=low, high=high)
 
     def and_later(self, later: "_Cells") -> "_Cells":
         """Together with what was visited later."""
-        return _Cells(
-            keys=np.concatenate([self.keys, later.keys]),
-            position=np.hstack([self.position, later.position]),
-            correction=np.concatenate([self.correction, later.correction]),
-            low=np.hstack([self.low, later.low]),
-            high=np.hstack([self.high, later.high]),
-        ).each_once()
+        names = ("keys", "position", "correction", "low", "high")
+        return _Cells(**{name: np.hstack([getattr(self, name), getattr(later, name)]) for name in names}).each_once()
 
 
 class Visited:
