@@ -232,14 +232,33 @@ def test_runs_are_what_their_blocks_are(
     assert outcome(module_bench, program, 3, options) == by_blocks
 
 
-def test_most_of_a_long_program_is_runs(bench: Bench) -> None:
-    from trueaxis.compensation.nc_reader import plain_move
+CHORDS = [f"X{100 + 0.4 * k:.4f} Y{100 + 20 * np.sin(k):.3f}" for k in range(60)]
 
-    rows = [f"X{100 + 0.4 * k:.4f} Y{100 + 20 * np.sin(k):.3f} Z-{k % 7}.5" for k in range(2000)]
-    with patch("trueaxis.compensation.nc_reader.plain_move", side_effect=plain_move) as one_by_one:
-        text = bench.run("\n".join([*HEAD, *rows, "M30\n"]), paper_sized())
-    assert one_by_one.call_count < 10
-    assert len(re.findall(rb"(?m)^X", text)) >= 2000
+
+@pytest.mark.parametrize(
+    ("head", "tool_path"),
+    [
+        (HEAD, [f"{line} Z-{k % 7}.5" for k, line in enumerate(CHORDS)]),
+        (  # as CAM systems write them
+            [*HEAD[1:], "G17 G21 G90 G94"],
+            ["(path)", "S8000 M3", "G90 G94 G17", "M8", "G0 X9. Y9.", "Z5.", "G1 Z-1. F300.", *CHORDS, "G0 Z50.", "M9"],
+        ),
+        (HEAD, ["G0 G90 X1. Y2.", "G1 F300. Z-2.", *CHORDS, "G2 F500. X100. Y101. R80.", "M5", "G00 Z9."]),
+        (WITHOUT_Z, ["M5", "G0 X3. Y4.", "M3 S100", *CHORDS]),  # laser: Z stands where it was set by hand
+        (HEAD, [line.replace("X", "X ").replace("Y", "Y  ") for line in CHORDS]),
+        (HEAD, [f"R200. Y{line[-1]}.5 X{k}.25" if k else "G2 X0. Y0. R200." for k, line in enumerate(CHORDS)]),
+    ],
+    ids=["points", "tool paths", "G90 and F first", "no Z", "blanks in words", "any order"],
+)
+def test_most_of_a_long_program_is_runs(bench: Bench, head: list[str], tool_path: list[str]) -> None:
+    from trueaxis.compensation.nc_reader import NcReader, plain_move
+
+    by_rule = patch("trueaxis.compensation.nc_reader.plain_move", side_effect=plain_move)
+    by_words = patch.object(NcReader, "_any", autospec=True, side_effect=NcReader._any)
+    with by_rule as plain, by_words as others:
+        text = bench.run("\n".join([*head, *30 * tool_path, "M30\n"]), paper_sized())
+    assert plain.call_count + others.call_count < 40
+    assert len(re.findall(rb"X[-0-9]", text)) >= 30 * len(CHORDS)
 
 
 def test_a_long_line_is_no_program(bench: Bench) -> None:
@@ -263,6 +282,19 @@ def test_numbers_are_what_float_makes_of_them(numbers: list[str]) -> None:
     read = plain_text("".join(f"N1 G1 X{number} F100.\n" for number in numbers), undotted_mm=False)
     assert read.plain.all()
     assert read.value.tolist() == [float(number) for number in numbers]
+
+
+def test_codes_stand_beside_words_or_alone() -> None:
+    lines = [
+        "G90 G1 X1. F2", "F5. G1 X1.", "G1 F5. Y2. X1.", "X1. F5. Y2.", "X1. X2.", "M3 S500", "M3 X1.", "G91 G90",
+        "G28", "G0 G1", "S1 M3 S2", "",
+    ]  # fmt: skip
+    text = "\n".join(lines)
+    read = plain_text(text, undotted_mm=False, modes={90, 91}, switches={3})
+    assert read.plain.tolist() == [True, False, True, False, False, True, False, True, False, False, False]
+    assert [code.tolist() for code in read.modes.of(7, 8)] == [[0, 0], [91, 90]]
+    assert [code.tolist() for code in read.switches.of(5, 6)] == [[0], [3]]
+    assert not plain_text(text, undotted_mm=False).plain[[0, 5, 7]].any()
 
 
 def test_a_line_that_is_not_plain_leaves_the_others_as_they_are() -> None:

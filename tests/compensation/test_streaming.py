@@ -3,10 +3,12 @@
 import math
 import tracemalloc
 
+import numpy as np
 import pytest
 
 from tests.compensation.analytic_machine import paper_sized
 from tests.compensation.control import Bench
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.settings import Settings
 
@@ -62,3 +64,11 @@ def test_many_circles_are_taken_in_parts(bench: Bench) -> None:
         tracemalloc.stop()
     assert bench.out.read_bytes().count(b"\n") > 170_000
     assert peaks[1] < 1.2 * peaks[0]
+
+
+@pytest.mark.parametrize("of", [slice(1, 5, 2), np.array([4, 0, 0]), np.array([True, False, True, False, True])])
+def test_columns_keep_rows_side_by_side(of: slice | np.ndarray) -> None:
+    table = np.arange(15.0).reshape(3, 5)
+    taken = columns_of(table, of)
+    np.testing.assert_array_equal(taken, table[:, of])
+    assert taken.base is table or taken.flags.c_contiguous
