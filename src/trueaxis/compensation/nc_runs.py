@@ -71,7 +71,8 @@ class RunReader:
             self._read = self._reading(number, text)
         read, state = self._read, self._state
         first = number - read.number
-        if first < read.none_before or not_to_name(state) is None:
+        moves = read.lines.first[first + 1] > read.lines.first[first]
+        if first < read.none_before or not moves or not_to_name(state) is None:
             return None
         end = int(read.others[np.searchsorted(read.others, first)])
         if state.cycle is not None:
