@@ -104,7 +104,7 @@ def test_corrections_beyond_three_times_the_prior_are_refused(
 def test_use_beyond_the_measured_range_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     errors = written(tmp_path, motion_errors={"EXX": line(1e-5, measured=[0.0, 400.0])})
     assert compensate(tmp_path, errors) == 0
-    assert "the program leaves what was measured: EXX from X = 0 to 400 mm, used at X = 4" in capsys.readouterr().out
+    assert "the program leaves the measured range: EXX from X = 0 to 400 mm, used at X = 4" in capsys.readouterr().out
 
 
 def test_a_misfit_is_compensated_on_request_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

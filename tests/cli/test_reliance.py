@@ -128,14 +128,14 @@ def test_use_beyond_the_measured_range_is_said(
     assert tree["machine"] == "dmu60p"
     assert predict(tmp_path, path) == 0
     said = capsys.readouterr().out
-    assert "3 of 4 positions lie beyond what was measured: EXX from X = 20 to 400 mm, used at X = 0 to 540" in said
+    assert "3 of 4 positions lie beyond the measured range: EXX from X = 20 to 400 mm, used at X = 0 to 540" in said
 
 
 def test_tables_beyond_the_measured_range_are_told_without_counting_their_rows() -> None:
     """Ends of the travel are rows of every table; where u holds beyond what was measured, u says all."""
     beyond = BeyondMeasured(axis="X", components=("EXX",), low=20.0, high=400.0, lowest=0.0, highest=540.0, count=99)
     (said,) = travel_sentences([beyond, replace(beyond, by_prior=True)])
-    assert said.startswith("EXX: measured from X = 20 to 400 mm, written for X = 0 to 540; the curve is continued")
+    assert said.startswith("EXX: measured from X = 20 to 400 mm, written for X = 0 to 540; no reading supports")
 
 
 def test_a_misfit_is_predicted_with_a_warning_and_fitted_on_request_alone(
@@ -146,9 +146,7 @@ def test_a_misfit_is_predicted_with_a_warning_and_fitted_on_request_alone(
     path, out = tmp_path / "e.json", tmp_path / "f.json"
     path.write_text(json.dumps(tree))
     assert predict(tmp_path, path) == 0
-    assert "do not fit the readings they come from (chi2 per degree of freedom 961), worst in Y-2, X-1" in (
-        capsys.readouterr().out
-    )
+    assert "do not fit their readings (chi2 per degree of freedom 961), worst in Y-2, X-1" in (capsys.readouterr().out)
     assert fit(path, out) == 2
     assert "--accept-misfit" in capsys.readouterr().err
     assert not out.exists()

@@ -48,7 +48,7 @@ def test_a_header_is_compensated_where_z_is_taken_to_stand(bench: Bench, place: 
     assert bench.report.after is not None
     assert bench.report.after.largest < 0.001
     named = f"Z{place or 0:g}"
-    assert f"1 rapids while Z may stand anywhere: their words are for {named} " in str(bench.report)
+    assert f"1 rapids while the position of Z is unknown: their words are for {named} " in str(bench.report)
     found = json.loads(bench.report.to_json())
     assert found["unknown_places"]["assumed"] == {"Z": place or 0.0}
 

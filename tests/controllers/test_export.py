@@ -70,7 +70,7 @@ def test_tables_that_make_the_machine_worse_are_refused(tmp_path: Path, capsys: 
         assert ("siemens-cec loaded beside" in shown) == (name == "siemens-enc")
         assert export(name, out, "--accept-worse", machine=GANTRY, errors=errors) == 0
         shown = capsys.readouterr().out
-        assert "warning: more is left with these tables than without them" in shown
+        assert "warning: the error is larger with these tables than without them" in shown
         assert out.exists()
     assert export("isg-csv", tmp_path / "whole.csv", machine=GANTRY, errors=errors) == 0
     assert "warning" not in capsys.readouterr().out

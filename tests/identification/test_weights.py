@@ -130,8 +130,8 @@ def test_runs_that_are_far_from_zero_are_told() -> None:
     found, shifted = (
         identify_estimated(dmu60p_model(), one, real).report.notes for one in (data, replace(data, reading=off))
     )
-    assert not any("off by their laser zero" in note for note in found)
-    (told,) = [note for note in shifted if "off by their laser zero" in note]
+    assert not any("the laser zero of " in note for note in found)
+    (told,) = [note for note in shifted if "the laser zero of " in note]
     assert "1 of 18 runs" in told
     assert "Y-5 by 4" in told
 

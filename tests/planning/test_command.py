@@ -207,7 +207,7 @@ def test_five_axes_with_probe_and_ball_bar(tmp_path: Path) -> None:
 
 def test_no_plan_where_no_run_fits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert first(tmp_path / "first", "--hours", "0.1") == 1
-    assert "not written: no run that tells anything of what is asked for fits into 0.1 h" in capsys.readouterr().out
+    assert "not written: no run that determines what is asked for fits into 0.1 h" in capsys.readouterr().out
     assert list(tmp_path.iterdir()) == []
 
 

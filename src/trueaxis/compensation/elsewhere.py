@@ -37,8 +37,8 @@ class UnknownPlaces:
     def __str__(self) -> str:
         named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
         return (
-            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for "
-            f"{named} (or where the program had the axis before a tool change) and would differ by at most "
+            f"{self.change.count} rapids while the position of {' '.join(self.assumed)} is unknown: their words are "
+            f"for {named} (or the position before a tool change) and would differ by at most "
             f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
         )
 
@@ -59,18 +59,18 @@ class UnnamedFeeds:
 
     def __str__(self) -> str:
         axes, at = " ".join(self.places), " ".join(f"{axis}{value:.9g}" for axis, value in self.places.items())
-        parts = [f"feed motions before the program commands {axes}, taken to stand at {at}"]
+        parts = [f"feed motions before the program commands {axes}, assumed at {at}"]
         if self.left is not None:
             parts.append(
-                f"it gets no word, and {self.left.largest:.4f} mm of error at most (line {self.left.line}) is left "
-                "along it, which counts as no error: the program does not say where it is to be"
+                f"it gets no word, and an error of at most {self.left.largest:.4f} mm (line {self.left.line}) is left "
+                "along it, which does not count, because the program does not command it"
             )
         if self.near is not None:
             parts.append(f"{NEAR:g} mm elsewhere changes the other words by at most {self.near.largest:.4f} mm")
         if self.anywhere is not None:
             parts.append(
                 f"elsewhere in its travel the other words would differ by at most {self.anywhere.largest:.4f} mm (line "
-                f"{self.anywhere.line}), which adds to the errors above"
+                f"{self.anywhere.line}), which is added to the errors above"
             )
         return "; ".join(parts)
 
@@ -213,7 +213,7 @@ class OffsetUse:
             f"words by at most {slopes}"
         )
         if self.change is not None:
-            text += f"; within the range by at most {1e3 * self.change:.2f} um, which adds to the errors above"
+            text += f"; within the range by at most {1e3 * self.change:.2f} um, which is added to the errors above"
         if self.leaves_travel:
             text += "; positions leave the travel at an end of the range"
         return text

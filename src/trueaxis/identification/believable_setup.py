@@ -86,8 +86,8 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
     unit = unit_of_file(run.instrument)
     off, most = (float(one[worst]) / (ARM if unit == "rad" else 1.0) for one in (reading, allowed))
     problem = (
-        f"run {run.id}, seq {named}{more}: up to {off:.6g} {unit}, where errors of machine and set-up let "
-        f"expect {most:.2g} {unit} at most"
+        f"run {run.id}, seq {named}{more}: up to {off:.6g} {unit}, where errors of machine and set-up "
+        f"allow {most:.2g} {unit} at most"
     )
     return [Fault(str(readings_path(folder)), "column reading", problem, IN_UNIT.format(unit=unit))]
 

@@ -161,7 +161,7 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
             named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
             reason = FAR_FROM_NOISE[residuals.stated] + _copies(residuals, runs)
             if residuals.stated and float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
-                reason += "; most runs are: a noise that is stated too small looks like that"
+                reason += "; most runs are: the stated noise may be too small"
             return FitQuality(Fit("misfit", chi2, named), each, reason)
         return FitQuality(Fit("converged", chi2), each)
     if residuals.size is not None and left:

@@ -53,8 +53,8 @@ class Contradicting:
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
             f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} "
-            f"standard deviations of what these let expect; without {them} the tool point moves by "
-            f"{self.moved * 1e3:.2g} um in the volume, which is known to {self.u * 1e3:.2g} um then (are runs "
+            f"standard deviations of what these predict; without {them} the tool point moves by "
+            f"{self.moved * 1e3:.2g} um in the volume and is known to {self.u * 1e3:.2g} um (are runs "
             "swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
             "effect? diagnose tells more)"
         )
@@ -78,8 +78,8 @@ def misread_notes(observed: Observations, found: Estimate) -> tuple[str, ...]:
     contradicting = _contradicting(observed, found)
     little = () if contradicting is None or contradicting.matter else (str(contradicting),)
     return little + tuple(
-        f"run {observed.runs[index].id} may read {READS[one.how]}: by a factor of {np.exp(one.log_odds):.2g} the "
-        "readings are likelier so, which is not enough to be sure"
+        f"run {observed.runs[index].id} may read {READS[one.how]}: that makes the readings "
+        f"{np.exp(one.log_odds):.2g} times as likely, which is not enough to be sure"
         for index, one in found.readings.misread.items()
         if not one.sure
     )

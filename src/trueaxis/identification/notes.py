@@ -169,8 +169,8 @@ def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
             named = [f"{run} by {of_run[run] * factor:.3g} {unit}" for run in far[:MOST_ZEROS]]
             rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
             yield (
-                f"{len(far)} of {len(of_run)} runs are off by their {kind}, farther than {usual * factor:.3g} {unit}: "
-                f"{', '.join(named)}{rest}; the estimate takes that for the instrument, not for the machine"
+                f"the {kind} of {len(far)} of {len(of_run)} runs is larger than {usual * factor:.3g} {unit}: "
+                f"{', '.join(named)}{rest}; the estimate attributes that to the instrument, not to the machine"
             )
 
 
@@ -224,7 +224,7 @@ def _by_expected_sizes(
     rest = f" and {len(larger) - MOST_NAMED} more errors" if len(larger) > MOST_NAMED else ""
     yield (
         f"u rests on sizes of instrument unknowns that the readings make far smaller than usual: {'; '.join(sizes)}. A "
-        "size that comes from few values is a guess. With the usual sizes, by which plan counts, u would be that in "
+        "size from few values is a guess. With the usual sizes, which plan uses, u would be that in "
         f"brackets: tool point over the volume {small(tool[0], 'mm')} ({small(tool[1], 'mm')})"
         + "".join(f", {one}" for one in named)
         + rest

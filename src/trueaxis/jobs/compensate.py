@@ -106,12 +106,12 @@ def compensate(
 
     program: the path of its file; out: the file to write; None: nothing is written, the result has the text. tool:
     (3,), the point to be compensated, tool frame, mm. offsets: the file of work offsets, or by name the machine
-    position of their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg, a pair asks for the worst case; tools: the
+    position of their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg; a pair gives the worst case. tools: the
     file of the tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of
-    LinuxCNC whose interpreter unrolls the program first. max_u: largest standard uncertainty of the tool point in the
-    program, from home, mm; max_correction: largest correction, mm (three times what [prior] lets expect).
-    accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken. draws:
-    how many draws are to be made of what is left of the error of the tool at the places of the program, see `predict`.
+    LinuxCNC, whose interpreter expands the program first. max_u: largest standard uncertainty of the tool point in the
+    program, from home, mm; max_correction: largest correction, mm (three times what [prior] expects).
+    accept_misfit, accept_u: accept values that do not fit their readings, or that are smaller than their noise. draws:
+    number of draws of the remaining error of the tool at points of the program, see `predict`.
     settings: see `CompensationSettings`.
 
     Raises InputError with every fault of the program and of files; RefusedError where a limit is passed, and nothing is

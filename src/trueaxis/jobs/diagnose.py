@@ -96,14 +96,14 @@ def diagnose(
     noise_um: float | None = None,
     out: AnyPath | None = None,
 ) -> Diagnosed:
-    """Name what a machine's model lacks: the causes of the effect library (docs/effects.md) that explain what the model
-    with its error values leaves of the readings.
+    """Name what a machine's model lacks: the causes of the effect library (docs/effects.md) that explain the residuals
+    of the readings.
 
-    errors: None: all zero, as of a machine as built. noise_um: standard deviation of a reading, um (from repeats). out:
-    a folder for diagnosis.json, report.html and, where causes were named, the extended model: NAME.toml, errors.json
-    and generated/NAME/. Raises InputError where the data hold no reading that can be used, the spec was changed since
-    it was loaded, or an output is an input; NotConvergedError where the values of the extended machine do not stand
-    still; ValueError for arguments of another form.
+    errors: None: all zero, the nominal machine. noise_um: standard deviation of a reading, um (from repeats). out:
+    a folder for diagnosis.json, report.html and, if causes were named, the extended model: NAME.toml, errors.json
+    and generated/NAME/. Raises InputError if no reading can be used, the spec was changed since it was loaded, or
+    an output is an input; NotConvergedError if the values of the extended machine do not converge; ValueError for
+    arguments of another form.
     """
     check_noise(noise_um)
     machine, folder = model.machine, None if out is None else Path(out)

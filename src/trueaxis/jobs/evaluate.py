@@ -79,9 +79,9 @@ class EvaluatedPositioning(Printed, Tabular):
         return self.evaluation.cycles > 1
 
     def picture(self) -> bytes:
-        """Mean deviations with bands of 2 s, as PNG. Raises ValueError where `has_picture` is not."""
+        """Mean deviations with bands of 2 s, as PNG. Raises ValueError without `has_picture`."""
         if not self.has_picture:
-            raise ValueError("picture: a test of one cycle tells no bands")
+            raise ValueError("picture: a test of one cycle gives no bands")
         from trueaxis.reporting.pictures.standard_tests import positioning_plot  # noqa: PLC0415  matplotlib takes long to import
 
         return positioning_plot(self.evaluation, Path(self.source).stem)
@@ -141,15 +141,15 @@ def evaluate(
     feed: float | None = None,
     keys: Mapping[str, KeyValue] | None = None,
 ) -> Evaluated:
-    """Evaluate a positioning test by ISO 230-2:2014 (k = 2) or a circular test by ISO 230-4, by what the files hold.
+    """Evaluate a positioning test by ISO 230-2:2014 (k = 2) or a circular test by ISO 230-4; the files decide which.
 
     data: the file of a positioning test, or the tables of a ball bar; or a `PositioningTest` of arrays. Of a
     positioning test: repeatability "iso", the standard's R, or "unidirectional", the larger R of the two directions;
-    swap_directions: what is labelled forward was approached in the negative direction; rotary: the files are of a
-    rotary axis, in deg (arrays say it by `PositioningTest.unit`). Of a circular test: plane, such
-    as "XY", angles count from the first axis to the second; radius: nominal length of the bar, mm; feed: mm/min, where
-    no file has it; keys: columns and units that the headers do not say, as in `import_readings`. Raises InputError with
-    every fault, what does not go with the kind of test included; ValueError for arguments of another form.
+    swap_directions: readings labelled forward were approached in the negative direction; rotary: the files are of a
+    rotary axis, in deg (arrays have `PositioningTest.unit`). Of a circular test: plane, such as "XY", angles count from
+    the first axis to the second; radius: nominal length of the bar, mm; feed: mm/min, if no file has it; keys: columns
+    and units that the headers do not give, as in `import_readings`. Raises InputError with every fault, also for
+    arguments of the other kind of test; ValueError for arguments of another form.
     """
     if repeatability not in get_args(Repeatability):
         raise ValueError(

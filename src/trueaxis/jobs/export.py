@@ -58,7 +58,9 @@ class Exported(Printed):
 
     def __str__(self) -> str:
         left = self.remaining
-        worse = f"warning: more is left with these tables than without them ({ACCEPT_WORSE})\n" if left.worse else ""
+        worse = (
+            f"warning: the error is larger with these tables than without them ({ACCEPT_WORSE})\n" if left.worse else ""
+        )
         return (
             self.notes_text()
             + worse
@@ -99,7 +101,7 @@ def export(
     accept_u: bool = False,
     accept_worse: bool = False,
 ) -> Exported:
-    """Error values as tables that a control reads; docs/controllers has the formats, with their sources.
+    """Write error values as tables that a control reads; docs/controllers has the formats, with their sources.
 
     format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com", "linuxcnc-comp" or "linuxcnc-kins" (sources of a
     kinematics module); out: the file to write, or the
@@ -107,10 +109,10 @@ def export(
     tool: (3,), the point in the tool frame that tables of single axes are made for, and from which the module measures
     the lengths of tools, mm. max_u: largest standard
     uncertainty of the tool point over the travel, mm; max_correction: largest deviation, mm (three times what [prior]
-    lets expect). accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken;
-    accept_worse: tables with which more is left than without them are.
+    expects). accept_misfit, accept_u: accept values that do not fit their readings, or that are smaller than their
+    noise; accept_worse: accept tables with which the error is larger than without them.
 
-    Raises RefusedError where a limit is passed, InputError where the machine cannot be exported, values are a misfit or
+    Raises RefusedError if a limit is exceeded, InputError if the machine cannot be exported, values are a misfit or
     `out` is an input; ValueError for arguments of another form.
     """
     if format not in FORMATS:

@@ -108,9 +108,9 @@ def fit(
 
     Orders by the mean square error, an F test of the equation, t tests of its terms, terms by AIC. max_order: highest
     power tried, 1 to 15; alpha: significance level of the tests; max_u: largest standard uncertainty of the tool point
-    over the travel, from home, mm; accept_misfit: values that do not fit their readings are taken. Curves that rest on
-    the prior stay as they are. Write the result by `save_errors`. Raises InputError where there is nothing to fit, or
-    the values are a misfit or edited; RefusedError where max_u is passed; ValueError for arguments of another form.
+    over the travel, from home, mm; accept_misfit: accept values that do not fit their readings. Curves that rest on
+    the prior stay as they are. Write the result with `save_errors`. Raises InputError if there is nothing to fit, or
+    the values are a misfit or edited; RefusedError if max_u is exceeded; ValueError for arguments of another form.
     """
     if not (isinstance(max_order, int) and 1 <= max_order <= HIGHEST_ORDER):
         raise ValueError(f"max_order: expected a whole number from 1 to {HIGHEST_ORDER}; given {max_order}")

@@ -65,15 +65,15 @@ def fleet(
     again: bool = False,
     show: Show = lambda _: None,
 ) -> FleetResult:
-    """Identify, diagnose and document many machines, and sum up what has changed and which share a cause.
+    """Identify, diagnose and document many machines, and summarise what has changed and which share a cause.
 
     file: FLEET.toml (docs/fleet.md); out: the folder to be written: results.parquet, index.html, and a folder for each
     machine and folder of its data with the files of the single commands. workers: processes on this computer (one for
-    each core); memory: GB that each may use (all of the computer's in equal parts); scheduler: address of a running
-    Dask scheduler, whose workers are used instead and must see the same files at the same paths. again: also what is
-    unchanged since it was done. show: told how far it is.
+    each core); memory: GB for each (that of the computer in equal parts); scheduler: address of a running
+    Dask scheduler, whose workers are used instead and must see the same files at the same paths. again: repeat
+    unchanged work, too. show: called with the progress.
 
-    A machine that fails, or takes its worker with it, is a row with its faults. Raises InputError with every fault of
+    A machine that fails, or ends its worker, gets a row with its faults. Raises InputError with every fault of
     the file, where Dask is not installed or the scheduler does not answer; ValueError for arguments of another form.
     """
     asked = workers_of(workers, memory, scheduler)

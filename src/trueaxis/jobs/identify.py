@@ -70,18 +70,18 @@ def identify(
     method: Method = "global",
     curves: Curves | None = None,
 ) -> Identified:
-    """The motion and location errors of a machine, from readings on the exact model.
+    """Identify the error motions and location errors of a machine from readings, on the exact model.
 
-    known: values that are taken as they are, dimensions too. noise_um: standard deviation of a reading, um, or by name
-    of an instrument or a run; noise_urad: of angle instruments; None: from the readings. squareness: what parts it from
-    straightness: level lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of
-    [prior] are expected; if not, what readings do not determine is zero and said. ideal_instruments: nothing is unknown
-    of the instruments. degree: highest order of the curves (14; 7 without prior). method "stepwise" is the paper's,
-    point by point, with curves as a "table", a "polynomial" by its procedure, or one whose order positions "held-out"
-    choose.
+    known: known values, which are not identified, dimensions included. noise_um: standard deviation of a reading, um,
+    or by name of an instrument or a run; noise_urad: of angle instruments; None: from the readings. squareness: source
+    of the squareness: level straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the
+    errors have the sizes of [prior]; if not, errors that readings do not determine are zero and named.
+    ideal_instruments: the instruments have no unknowns. degree: highest order of the curves (14; 7 without prior).
+    method "stepwise" is the paper's, point by point, with curves as a "table", a "polynomial" by its procedure, or one
+    whose order is chosen by "held-out" positions.
 
-    Raises InputError where arguments do not go together, the set-up contradicts the machine, or no reading holds an
-    error; NotConvergedError where the fit does not stand still; UnbelievableError where its values are of no machine;
+    Raises InputError if arguments do not go together, the set-up contradicts the machine, or no reading depends on an
+    error; NotConvergedError if the fit does not converge; UnbelievableError if no machine has such values;
     ValueError for arguments of another form.
     """
     check_among(method=(method, Method), squareness=(squareness, Squareness), curves=(curves, Curves))

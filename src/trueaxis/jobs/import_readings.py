@@ -64,7 +64,7 @@ class Imported(Printed, Tabular):
             lines.append(f"{shown(one.id)}: {one.readings} readings of {shown(one.file.name)}")
             if one.assumed:
                 lines.append(f"  not in the file: {', '.join(one.assumed)}")
-        what = f"{len(self.runs)} runs; {setup_file.FILE_NAME} marks what is assumed: look it through"
+        what = f"{len(self.runs)} runs; {setup_file.FILE_NAME} marks what is assumed: check it"
         return "\n".join([*lines, f"{named(self.folder)}: {what}"]) + "\n"
 
 
@@ -76,9 +76,9 @@ def import_readings(
     format: Format | None = None,  # noqa: A002  the word of the command
     keys: Mapping[str, KeyValue] | None = None,
 ) -> Imported:
-    """Bring files of instruments into the folder `out` of measured data: setup.toml and readings.csv, both or none.
+    """Convert files of instruments to the folder `out` of measured data: setup.toml and readings.csv, both or none.
 
-    format: of all files, "rtl", "iso230-2", "ballbar-csv" or "csv"; None: as their content shows. keys: what the files
+    format: of all files, "rtl", "iso230-2", "ballbar-csv" or "csv"; None: by their content. keys: what the files
     do not say, such as {"axis": "X", "target.point": (0, 0, -150), "X1:at.Y": 200}, mm and deg, for all runs or as
     RUN:KEY for one; docs/import.md lists them. machine: with its kernels (`load_model`) where a ball bar is among them.
     Raises InputError with every fault of every file and what is missing; ValueError for arguments of another form.

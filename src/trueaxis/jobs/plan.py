@@ -104,18 +104,18 @@ def plan(
     tool: npt.ArrayLike = ORIGIN,
     out: AnyPath | None = None,
 ) -> Planned:
-    """What the runs of `data` will tell, or, without it, a first plan with `instruments` in at most `hours`.
+    """Say how well the runs of `data` will determine the errors, or, without it, make a first plan with `instruments`.
 
     runs: ids of those that are judged (all). propose: how many runs to add, those that lower the uncertainty most per
-    minute, with propose_with (the instruments of the plan). wanted: what proposed runs are to tell best, "volume", a
-    component such as "EYX" or a location error; datum: against what the tool point is known by them. noise_um: of a
-    reading, um, or by name of an instrument or run (as [device] tables say, else 1); noise_urad: of angle instruments.
-    known: values known beforehand;
-    effects: values of effects to plan for; location_errors_only: motion errors are no unknowns. tool: (3,) or (3, n),
-    points in the tool frame, mm, whose mean uncertainty counts. out: a folder to write, the plan with runs proposed.
+    minute, with propose_with (the instruments of the plan). wanted: the error that proposed runs determine best,
+    "volume", a component such as "EYX" or a location error; datum: reference of the tool point for them. noise_um: of a
+    reading, um, or by name of an instrument or run (from [device] tables, else 1); noise_urad: of angle instruments.
+    known: known values; hours: at most, for a first plan; effects: values of effects to plan for; location_errors_only:
+    error motions are no unknowns. tool: (3,) or (3, n), points in the tool frame, mm, whose mean uncertainty counts.
+    out: a folder to write, the plan with runs proposed.
 
-    Raises InputError where arguments do not go together, or the plan contradicts the machine; RefusedError where no run
-    tells anything of what is asked for; ValueError for arguments of another form.
+    Raises InputError if arguments do not go together, or the plan contradicts the machine; RefusedError if no run
+    determines what is asked for; ValueError for arguments of another form.
     """
     request = PlanRequest(
         instruments=instruments, hours=hours, runs=runs, propose=propose, propose_with=propose_with, wanted=wanted,
@@ -178,8 +178,8 @@ def planned(
 
 def _no_run(request: PlanRequest) -> str:
     if request.hours is None:
-        return "no run of these instruments tells anything of what is asked for"
-    return f"no run that tells anything of what is asked for fits into {request.hours:g} h with its set-up"
+        return "no run of these instruments determines what is asked for"
+    return f"no run that determines what is asked for fits into {request.hours:g} h with its set-up"
 
 
 def _options(

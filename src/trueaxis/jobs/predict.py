@@ -105,13 +105,13 @@ def predict(
     """The deviation of the tool point at axis positions, on the exact model (Eq. 4 of the paper), with uncertainty.
 
     positions: by axis letter, numbers or (n,) each, or (n_axes, n), mm or deg; tool: (3,) or (3, n), the point in the
-    tool frame, mm. datum: what deviations and their uncertainties are relative to: the error-free machine; the tool
-    point at home; the rigid placement of the workpiece that fits the points best. context: approach directions, times
-    and temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm. Raises ValueError
-    where an array has another shape, InputError where the deviation is none that a machine has or an effect lacks what
-    it depends on, RefusedError where max_u is passed. draws: how many draws are to be made of the error values, of what
-    does not repeat and of the context (GUM Supplement 1), beside u; workers of a `Draws` must be called from a module
-    that can be imported anew (`if __name__ == "__main__":`).
+    tool frame, mm. datum: reference of deviations and uncertainties: the error-free machine; the tool point at home;
+    the rigid placement of the workpiece that fits the points best. context: approach directions, times and
+    temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm. Raises ValueError if an
+    array has another shape, InputError if no machine has such a deviation or an effect lacks a variable, RefusedError
+    if max_u is exceeded. draws: number of draws of the error values, the repeatability and the context (GUM Supplement
+    1), in addition to u; with workers of a `Draws` the calling module must be importable (`if __name__ ==
+    "__main__":`).
     """
     asked = checked(draws)
     check_among(datum=(datum, Datum))

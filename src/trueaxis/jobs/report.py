@@ -38,11 +38,11 @@ def report(
     against: Errors | None = None,
     tool: npt.ArrayLike = ORIGIN,
 ) -> Document:
-    """Error values as a document: every error with its uncertainty and by what it is determined, the deviation of the
-    tool point over the volume as figures and maps.
+    """Write error values as a document: every error with its uncertainty and what determines it, the deviation of the
+    tool point over the volume in figures and maps.
 
-    out: the .html file to write; None: nothing is written. against: older values, from which changes are told, and by
-    how many standard uncertainties; tool: (3,), the point in the tool frame whose deviation is shown, mm. Raises
+    out: the .html file to write; None: nothing is written. against: older values, for the changes and their
+    number of standard uncertainties; tool: (3,), the point in the tool frame whose deviation is shown, mm. Raises
     InputError where `out` is an input, or values were edited since they were identified; ValueError for arguments of
     another form or values of another machine.
     """

@@ -25,11 +25,11 @@ def simulate(
     seed: int = 0,
     replace_all: bool = False,
 ) -> DataFolder:
-    """A measuring plan with its empty readings (all of them where replace_all) filled in from the exact model.
+    """Fill in the empty readings of a measuring plan (with replace_all: all of them) from the exact model.
 
     noise_um: standard deviation of Gaussian noise, um, drawn from the seed; noise_urad: of angle instruments; readings
-    are those of the compensated machine where the plan names a compensation that is active. Raises ValueError where the
-    noise is negative, InputError where the set-up contradicts the machine, or an effect lacks what it depends on.
+    are those of the compensated machine if the plan names an active compensation. Raises ValueError if the noise is
+    negative, InputError if the set-up contradicts the machine or an effect lacks a variable.
     """
     for name, unit, noise in (("noise_um", "micrometres", noise_um), ("noise_urad", "microradians", noise_urad)):
         if not noise >= 0.0:

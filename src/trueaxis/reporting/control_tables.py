@@ -42,9 +42,9 @@ def worse_sentence(name: str, left: Remaining) -> str:
     if name in _BESIDE:
         helps.insert(0, f"{_BESIDE[name]} loaded beside, and {ACCEPT_WORSE} for both")
     return (
-        f"with these tables {left.after * 1e3:.3g} um RMS of the tool point would be left over the travel, from home, "
-        f"where it is {left.before * 1e3:.3g} um without them: errors that they hold and errors that they do not hold "
-        f"make up for one another in part; what helps: {', or '.join(helps)}; {ACCEPT_WORSE} writes them as they are"
+        f"with these tables the error of the tool point over the travel, from home, would be {left.after * 1e3:.3g} um "
+        f"RMS, without them it is {left.before * 1e3:.3g} um: errors in the tables and errors that they do not hold "
+        f"partly cancel; what helps: {', or '.join(helps)}; {ACCEPT_WORSE} writes them all the same"
     )
 
 

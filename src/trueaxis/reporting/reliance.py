@@ -12,14 +12,14 @@ from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured
 from trueaxis.monte_carlo.drawn import Drawn
 
-_CONTINUED = "the curve is continued there, which nothing supports"
+_CONTINUED = "no reading supports the curve there"
 NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
 
 
 def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
     """One for each range that was left, of `total` positions; one for each axis whose curves rest on the prior."""
     found = [
-        f"{one.count} of {total} positions lie beyond what was measured: {', '.join(one.components)} "
+        f"{one.count} of {total} positions lie beyond the measured range: {', '.join(one.components)} "
         f"from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, used at {_reached(one)}; {_CONTINUED}"
         for one in beyond
         if not one.by_prior
@@ -57,7 +57,7 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     of = f" ({', '.join(names)})" if names else ""
     return (
         f"at {points} of {total} positions the deviation rests on values that the readings did not determine{of}: "
-        f"errors of the size to be expected would move the tool by up to {_um(largest)} there; no u is given"
+        f"errors of the expected size would move the tool by up to {_um(largest)} there; no u is given"
     )
 
 
@@ -90,7 +90,7 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     if not extent.points:
         return []
     if extent.unknown == extent.points and not extent.open:
-        return [f"the uncertainty of the tool point {where} is not known: the error values carry none"]
+        return [f"the uncertainty of the tool point {where} is not known: the error values have none"]
     found = []
     if extent.unknown < extent.points:
         of = " of the positions where it is known" if extent.unknown else ""
@@ -103,8 +103,8 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     if extent.open:
         found.append(
             f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "
-            f"readings did not determine ({', '.join(extent.components) or 'location errors'}): errors of the size to "
-            f"be expected would move it by up to {_um(extent.largest_open)}"
+            f"readings did not determine ({', '.join(extent.components) or 'location errors'}): errors of the expected "
+            f"size would move it by up to {_um(extent.largest_open)}"
         )
     return found
 
@@ -123,21 +123,21 @@ def program_sentences(reliance: Reliance) -> list[str]:
     found = extent_sentences(reliance.uncertainty, "at the places of the program")
     if reliance.uncertainty.shift:
         found.append(
-            "the squareness that is a convention tilts the tool: this tool point may be off by up to "
+            "the squareness set by convention tilts the tool: this tool point may be off by up to "
             f"{_um(reliance.uncertainty.shift)}, the same everywhere; set the work offset with this tool and with the "
             "compensated positions, and do so again for a tool of another length"
         )
     if reliance.at_home > NOTICEABLE:
         found.append(
-            f"at home the error values displace this tool point by {_um(reliance.at_home)}, which compensation takes "
-            "back as well: set work offsets with compensated positions"
+            f"at home the error values displace this tool point by {_um(reliance.at_home)}, which compensation "
+            "corrects as well: set work offsets with compensated positions"
         )
     if reliance.largest_turn > 0.0 and reliance.allowed_turn is not None:
         found.append(
             f"largest correction of a rotary axis: {reliance.largest_turn:.4g} deg at {_at(reliance.turned_at)}"
         )
     found += [
-        f"the program leaves what was measured: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
+        f"the program leaves the measured range: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
         f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; {_CONTINUED}"
         for one in reliance.beyond
         if not one.by_prior
@@ -183,9 +183,8 @@ def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:
     if not extent.worth_nothing:
         return []
     return [
-        f"the corrections are {_um(extent.correction_rms)}, and the noise of the readings makes "
-        f"{_um(extent.u_readings_rms)} of them (root mean squares where it is known, from home): no better than doing "
-        "nothing"
+        f"the corrections are {_um(extent.correction_rms)}, and their uncertainty from the noise of the readings is "
+        f"{_um(extent.u_readings_rms)} (root mean squares where it is known, from home): no better than doing nothing"
     ]
 
 
@@ -199,14 +198,14 @@ def error_free_sentences(error_free: bool) -> list[str]:
     """error_free: whether every error value is zero, or none is there."""
     if not error_free:
         return []
-    return ["every error value is zero or missing: the model is that of a machine without errors, nothing is corrected"]
+    return ["every error value is zero or missing: the machine is without errors, and nothing is corrected"]
 
 
 def misfit_sentence(fit: Fit) -> str:
     """What a misfit means for whoever uses the values."""
     size = "" if fit.chi2 is None else f" (chi2 per degree of freedom {fit.chi2:.3g})"
     runs = f", worst in {', '.join(fit.runs[:5])}" if fit.runs else ""
-    return f"these error values do not fit the readings they come from{size}{runs}"
+    return f"these error values do not fit their readings{size}{runs}"
 
 
 def _reached(one: BeyondMeasured) -> str:

@@ -145,7 +145,7 @@ def _consequences(result: PaperResult, singular: list[Undetermined]) -> list[Und
     if not resting and not located:
         return []
     parts = [f"{name} (at {count} positions)" for name, count in resting.items()] + located
-    text = f"{enumerated(parts)}: found with the help of what is undetermined above, and as open as that"
+    text = f"{enumerated(parts)}: found from undetermined values above, and as undetermined as these"
     return [Undetermined(text, (*resting, *located))]
 
 
