@@ -191,7 +191,7 @@ def test_the_parts_of_u_are_written_and_predicted(
     np.testing.assert_allclose(np.hypot(curve["u_readings"], curve["u_prior"]), curve["u"], rtol=1e-6)
     assert np.hypot(tree["u_readings"]["eps_xy"], tree["u_prior"]["eps_xy"]) == pytest.approx(tree["u"]["eps_xy"])
     report = json.loads((estimated.parent / "r.json").read_text())
-    assert report["components"][0]["u_prior"] > 0.0
+    assert report["components"][0]["u_prior_rms"] > 0.0
     assert predict(tmp_path, estimated, "--datum", "home") == 0
     table = pl.read_csv(tmp_path / "out.csv")
     u, prior = (table.select(f"{kind}_d{axis}" for axis in "xyz").to_numpy()[1:] for kind in ("u", "u_prior"))

@@ -32,11 +32,11 @@ from trueaxis.controllers.formats import KINS, export_module
 from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND
 from trueaxis.effects.kind import Effect
 from trueaxis.jobs.export import ExportOptions, exported
-from trueaxis.model.covariance import own_uncertainty
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.manifest import CONTROL_FILES
+from trueaxis.model.own_uncertainty import own_uncertainty
 from trueaxis.reporting.control_tables import export_sentences
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="there is no C compiler")

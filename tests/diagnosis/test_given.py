@@ -13,9 +13,9 @@ from trueaxis.diagnosis.null import Null, null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.measurement.reading_model import expected_readings
-from trueaxis.model.covariance import own_uncertainty
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import CovarianceLink, ErrorValues
+from trueaxis.model.own_uncertainty import own_uncertainty
 
 SHARE = 0.05  # of what is expected of the machine, by which its values are uncertain
 

@@ -1,17 +1,21 @@
 """What is said of sizes of instrument unknowns: how small they came out, from how many values, u by the usual sizes."""
 
+import json
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import dmu60p_model, mixed_data
 from tests.identification.test_paper import DIMENSIONS
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.instruments import CLASSES
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification
+from trueaxis.identification.report_text import report_json
 from trueaxis.model.errors import ErrorValues
 
 GIVEN = IdentifyOptions(known=ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
@@ -23,7 +27,7 @@ def identified(options: IdentifyOptions = GIVEN) -> Identification:
 
 
 def notes_of(found: Identification) -> list[str]:
-    return [note for note in found.report.notes if note.startswith("u rests on sizes")]
+    return [note for note in found.report.caveats if note.startswith("u rests on sizes")]
 
 
 def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -38,7 +42,16 @@ def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pyt
     assert then > 2.0 * now
     for name, one in CLASSES.items():
         monkeypatch.setitem(CLASSES, name, replace(one, factor=1.0))
+    assert found.report.usual is not None
+    assert "u rests on sizes" in json.loads(report_json(found.report))["caveats"][-1]
+    second = found.covariance.usual
+    assert second is not None
+    rows = second.rows_of("EAZ")
+    assert second.of_prior
+    at = second.bases[second.components.index(ErrorName("EAZ"))](np.linspace(0.0, 600.0, 33))
+    assert np.linalg.norm(at.T @ np.asarray(second.root)[rows], axis=1).max() == pytest.approx(then * 1e-6, rel=0.01)
     usual = identified()
+    assert usual.covariance.usual is None
     u = {part.name: part.u for part in usual.report.components}
     assert not notes_of(usual)
     assert u["EAZ"] == pytest.approx(then * 1e-6, rel=0.3)

@@ -15,14 +15,16 @@ from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import InputError
 from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
 from trueaxis.model.context import Context
-from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, factor, own_uncertainty
+from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, factor
 from trueaxis.model.covariance_file import dump_covariance, linked, read_covariance
 from trueaxis.model.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Fit, Undetermined, dump_errors
 from trueaxis.model.extent import travel_positions, uncertainty_extent
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_errors, load_model
+from trueaxis.model.own_uncertainty import own_uncertainty
 from trueaxis.model.uncertainty import (
+    curve_u,
     derivative,
     home_of,
     load_uncertainty,
@@ -224,6 +226,33 @@ def test_a_file_comes_back_as_it_was(model: MachineModel, tmp_path: Path) -> Non
     again = read_covariance(file, model.machine)
     assert again.root is None
     np.testing.assert_array_equal(again.open, unknown.open)
+
+
+def test_the_larger_of_both_uncertainties_counts_coordinate_by_coordinate(model: MachineModel, tmp_path: Path) -> None:
+    """The second covariance, by usual sizes, doubles one component and halves the others; its file keeps it."""
+    covariance = mixed_covariance(model)
+    assert isinstance(covariance.root, np.ndarray)
+    factors = np.full(covariance.count, 0.5)
+    factors[covariance.rows_of(covariance.components[0])] = 2.0
+    second = replace(covariance, root=factors[:, np.newaxis] * covariance.root)
+    file = tmp_path / "c.npz"
+    file.write_bytes(dump_covariance(replace(covariance, usual=second)))
+    both = read_covariance(file, model.machine)
+    home = home_of(model)
+    one, other, found = (
+        tool_uncertainty(model, known, AT, np.zeros((3, 1)), datum=home) for known in (covariance, second, both)
+    )
+    assert (other.u > one.u).any()
+    assert (other.u < one.u).any()
+    np.testing.assert_allclose(found.u, np.maximum(one.u, other.u), rtol=1e-12)
+    assert found.u_estimated is not None
+    np.testing.assert_allclose(found.u_estimated, one.u, rtol=1e-12)
+    assert one.u_estimated is None
+    part = both.of(both.components[:1], (), ())
+    assert part.usual is not None
+    assert curve_u(part, part.components[0], np.array([100.0])) == pytest.approx(
+        2.0 * curve_u(covariance, part.components[0], np.array([100.0]))
+    )
 
 
 def test_edited_values_do_not_keep_their_uncertainties(model: MachineModel, tmp_path: Path) -> None:

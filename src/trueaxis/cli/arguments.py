@@ -115,5 +115,6 @@ def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
         ACCEPT_U,
         action="store_true",
         help=f"write {what} even if the noise of the readings contributes more than the correction (root mean "
-        "squares); --max-u replaces this check by its own",
+        "squares), or if it rests on errors that neither readings nor a prior determine; --max-u replaces these checks "
+        "by its own",
     )

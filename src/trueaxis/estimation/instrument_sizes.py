@@ -6,10 +6,9 @@ machine's. So the posterior by the expected size is said beside the estimate.
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from trueaxis.estimation.evidence import SAID, posterior_at
 from trueaxis.estimation.instruments import CLASSES
+from trueaxis.estimation.posterior import parted_root
 from trueaxis.estimation.reduce import Reduced
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.measurement.machine import FloatArray
@@ -18,12 +17,13 @@ from trueaxis.measurement.machine import FloatArray
 @dataclass(frozen=True, slots=True, eq=False)
 class AsExpected:
     """What readings would say by the expected sizes of classes of instrument unknowns that come out less than 1 / SAID
-    of them. classes: their names; spread: (n, n), a root of the covariance of the unknowns, all other sizes being as
-    estimated.
+    of them. classes: their names; spread: (n, r), a root of the covariance of the unknowns, all other sizes being as
+    estimated; its last `of_prior` columns are the prior's part.
     """
 
     classes: tuple[str, ...]
     spread: FloatArray
+    of_prior: int
 
 
 def as_expected(sizes: Sizes, reduced: Reduced, x: FloatArray) -> AsExpected | None:
@@ -34,4 +34,5 @@ def as_expected(sizes: Sizes, reduced: Reduced, x: FloatArray) -> AsExpected | N
         return None
     there = x.copy()
     there[[sizes.names.index(name) for name in small]] = 0.0
-    return AsExpected(tuple(small), np.asarray(posterior_at(sizes, reduced, there).spread))
+    found = posterior_at(sizes, reduced, there)
+    return AsExpected(tuple(small), *parted_root([found], found.mean, sizes.layout.of_machine))

@@ -18,17 +18,20 @@ TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly ma
 class Judged:
     """A curve over the travel, or one value, mm or rad.
 
-    largest: largest absolute value; u: largest standard uncertainty, NaN where open combinations take part in the
-    value, and its two parts there, by the noise of the readings and by the prior; u_rms, prior_rms: root mean squares
-    of u and of what the prior lets expect; determined: by what.
+    largest: largest absolute value, at position `at`, mm or deg (None: one value), u_there: its standard uncertainty;
+    u: the largest one; both NaN where open combinations take part in the value. Root mean squares over the travel:
+    u_rms of u, u_readings_rms and u_prior_rms of its two parts, by the noise of the readings and by the prior,
+    prior_rms of what the prior lets expect; determined: by what, see `determined_by`, which goes by these.
     """
 
     largest: float
+    at: float | None
+    u_there: float
     u: float
     u_rms: float
+    u_readings_rms: float
+    u_prior_rms: float
     prior_rms: float
-    u_readings: float
-    u_prior: float
     determined: Determined
 
 
@@ -40,8 +43,9 @@ def judged_component(found: Estimate, component: ErrorName) -> Judged:
     first = int(layout.offsets[place])
     rows = slice(first, first + basis.degree)
     change = np.zeros((SAMPLES, layout.count))
-    change[:, rows] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T
-    return _judged(found, change)
+    positions = np.linspace(basis.low, basis.high, SAMPLES)
+    change[:, rows] = basis(positions).T
+    return _judged(found, change, positions)
 
 
 def judged_location(found: Estimate, name: str) -> Judged:
@@ -51,24 +55,26 @@ def judged_location(found: Estimate, name: str) -> Judged:
     return _judged(found, change)
 
 
-def _judged(found: Estimate, change: FloatArray) -> Judged:
-    """change: (m, n), the values to judge by the unknowns; a curve by its root mean square over the travel."""
+def _judged(found: Estimate, change: FloatArray, positions: FloatArray | None = None) -> Judged:
+    """change: (m, n), the values to judge by the unknowns, at positions (m,); None: one value."""
     values = np.abs(change @ found.unknowns)
     spread = change @ found.spread
     readings, by_prior = np.split(spread, [spread.shape[1] - found.of_prior], axis=1)
     u, u_readings, u_prior = (np.linalg.norm(part, axis=1) for part in (spread, readings, by_prior))
     prior = np.linalg.norm(change * found.scale, axis=1)
     rms = [float(np.sqrt(np.mean(one**2))) for one in (u, u_readings, u_prior, prior)]
-    at = int(np.argmax(u))
+    at = int(np.argmax(values))
     opened = np.linalg.norm(change @ found.open, axis=1)
     hidden = bool(open_counts(opened, u).any())
     return Judged(
-        largest=float(values.max()),
-        u=np.nan if hidden else float(u[at]),
+        largest=float(values[at]),
+        at=None if positions is None else float(positions[at]),
+        u_there=np.nan if hidden else float(u[at]),
+        u=np.nan if hidden else float(u.max()),
         u_rms=rms[0],
+        u_readings_rms=rms[1],
+        u_prior_rms=rms[2],
         prior_rms=rms[3],
-        u_readings=float(u_readings[at]),
-        u_prior=float(u_prior[at]),
         determined=_left_open(float(np.sqrt(np.mean(opened**2))), rms[-1]) if hidden else determined_by(*rms),
     )
 

@@ -51,13 +51,15 @@ class Far:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Contradiction:
-    """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation;
+    """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation,
+    root mean square of several directions; log_p: logarithm of the probability that they are as far by noise;
     zeros_free: the same where their own zeros may be anything; without: (n,), the unknowns as the others tell them,
     without runs that contradicted them before either; spread: (n, r), a root of their covariance.
     """
 
     runs: Group
     times: float
+    log_p: float
     zeros_free: float
     without: FloatArray
     spread: FloatArray
@@ -125,6 +127,7 @@ def contradiction(runs: Group, far: Far, free: Far, without: Fitted, expected: P
     return Contradiction(
         runs=runs,
         times=far.times,
+        log_p=far.log_p,
         zeros_free=free.times,
         without=without.state.unknowns,
         spread=expected.spread * without.state.layout.sizes[:, np.newaxis],

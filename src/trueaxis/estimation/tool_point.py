@@ -1,7 +1,7 @@
 """How well an estimate knows the tool point over the volume, and how much of that is the prior."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -42,7 +42,8 @@ class ToolSummary:
     prior_placed_rms: the first and the last of a workpiece placed where it fits best; all of lengths of vectors over
     POINTS positions. largest_u: the largest u of a coordinate over the travel, at `largest_at` (axis -> mm or deg), as
     `uncertainty_extent` has it for commands that use the values. estimated: whether sizes of errors were estimated, by
-    which prior_rms is, or are those of [prior].
+    which prior_rms is, or are those of [prior]. u_usual_rms: u_rms by the usual sizes of instrument unknowns, where the
+    covariance holds these as well; largest_u then counts by the larger one, largest_u_estimated does not.
     """
 
     tools: tuple[Vector, ...]
@@ -54,6 +55,8 @@ class ToolSummary:
     largest_u: float
     largest_at: dict[str, float]
     estimated: bool
+    u_usual_rms: float | None = None
+    largest_u_estimated: float | None = None
 
 
 def volume(model: MachineModel) -> FloatArray:
@@ -118,6 +121,8 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
     positions = volume(found.layout.model)
     seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
     model, known = found.layout.model.with_values(found.values), covariance or covariance_of(found.layout, found.spread)
+    expected = None if known.usual is None else found.as_expected
+    usual = None if expected is None else replace(found, spread=expected.spread, of_prior=expected.of_prior)
     positions = travel_positions(model, known)
     extents = [uncertainty_extent(model, known, positions, np.array(tool)[:, np.newaxis]) for tool in tools]
     largest = max(extents, key=lambda one: one.largest_u)
@@ -131,6 +136,8 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
         largest_u=largest.largest_u,
         largest_at=dict(zip(model.axes, np.round(largest.largest_at, 1).tolist(), strict=True)),
         estimated=found.iteration.rounds > 0,
+        u_usual_rms=None if usual is None else _rms(tool_point(usual, volume(found.layout.model), tools).u),
+        largest_u_estimated=max(one.largest_u_estimated or 0.0 for one in extents) if usual is not None else None,
     )
 
 

@@ -1,19 +1,21 @@
 """`identify --method global`: the estimate of all errors from all readings, as values, covariance and report."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
 
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.estimate import USUAL, EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
+from trueaxis.estimation.judgement import Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations, copied_runs
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import ORIGIN, tool_summary
-from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty
+from trueaxis.identification.estimated_effects import covariances, with_uncertainty
 from trueaxis.identification.estimated_report import estimated_report
 from trueaxis.identification.fit_quality import (
     NotConvergedError,
@@ -26,6 +28,7 @@ from trueaxis.identification.fit_quality import (
 )
 from trueaxis.identification.misreadings import with_misread
 from trueaxis.identification.report import Identification
+from trueaxis.identification.usual_sizes import by_usual_sizes
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault, InputError
@@ -75,27 +78,22 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
     remedies = {} if options.noise.repeats else noise_remedies(observed, noise, each, by_device=by_device)
     if not found.iteration.converged:
         raise NotConvergedError(each, found.iteration.rounds + found.iteration.steps, tuple(remedies))
-    judged = with_misread(quality(residuals, observed.runs), observed, found)
+    judged = with_misread(quality(residuals, observed.runs), observed, found, prior=prior)
     if judged.fit.state == "misfit" and remedies:
         judged = replace(judged, reason="; ".join([judged.reason, *remedies]))
-    together = combinations(found, [run.id for run in observed.runs])
-    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
-    found = found.levelled() if options.squareness == "convention" else found
+    together = combinations(found, [run.id for run in observed.runs]) if prior else ()
+    tip, found = found, found.levelled() if options.squareness == "convention" else found
+    usual = by_usual_sizes(model, observed, found)
+    tool = tool_summary(tip, [ORIGIN], covariances(tip, usual is not None)) if prior else None
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
     silent = [name for name, one in (*components.items(), *locations.items()) if one.determined == "prior"]
     if not prior:
         silent = [name for name, one in (*components.items(), *locations.items()) if one.determined != "data"]
     left_open = (Undetermined(f"{enumerated(silent)}: {SILENT[prior]}", tuple(silent)),) if silent else ()
+    curves = {**_curves(model, observed, found), **given.motion_errors}
     values = replace(
-        with_uncertainty(found.values, found),
-        motion_errors={**_curves(model, observed, found), **given.motion_errors},
-        u={name: one.u for name, one in locations.items() if np.isfinite(one.u)},
-        u_readings={name: one.u_readings for name, one in locations.items()},
-        u_prior={name: one.u_prior for name, one in locations.items()},
-        determined={name: one.determined for name, one in (*components.items(), *locations.items())},
-        undetermined=left_open,
-        fit=judged.fit,
+        _with_u(found, components, locations), motion_errors=curves, undetermined=left_open, fit=judged.fit
     )
     report = estimated_report(
         model,
@@ -110,8 +108,20 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
         squareness=options.squareness,
         prior=prior,
     )
-    report = replace(report, combinations=together, tool=tool)
-    return Identification(values, report, covariance_with_effects(found))
+    said = () if usual is None else (str(usual),)
+    report = replace(report, combinations=together, tool=tool, usual=usual, caveats=(*report.caveats, *said))
+    return Identification(values, report, covariances(found, usual is not None))
+
+
+def _with_u(found: Estimate, components: Mapping[ErrorName, Judged], locations: Mapping[str, Judged]) -> ErrorValues:
+    """The values with the uncertainties of effects and location errors, and by what each is determined."""
+    return replace(
+        with_uncertainty(found.values, found),
+        u={name: one.u for name, one in locations.items() if np.isfinite(one.u)},
+        u_readings={name: one.u_readings_rms for name, one in locations.items()},
+        u_prior={name: one.u_prior_rms for name, one in locations.items()},
+        determined={name: one.determined for name, one in (*components.items(), *locations.items())},
+    )
 
 
 def _as_known(values: ErrorValues) -> ErrorValues:

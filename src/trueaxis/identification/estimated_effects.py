@@ -54,6 +54,15 @@ def effect_reports(values: ErrorValues, found: Estimate) -> tuple[EffectReport, 
     return tuple(reports)
 
 
+def covariances(found: Estimate, usual: bool) -> Covariance:
+    """See `covariance_with_effects`; usual: whether the one by the usual sizes of instrument unknowns stands beside."""
+    covariance, expected = covariance_with_effects(found), found.as_expected
+    if not usual or expected is None:
+        return covariance
+    by_usual = replace(found, spread=expected.spread, of_prior=expected.of_prior)
+    return replace(covariance, usual=covariance_with_effects(by_usual))
+
+
 def covariance_with_effects(found: Estimate) -> Covariance:
     """Of curves, location errors and parameters of effects; what is not defined, as the phase of nothing, is open."""
     covariance = covariance_of(found.layout, found.spread, found.of_prior)

@@ -80,15 +80,16 @@ def estimated_report(
         noise_urad=noise[1],
         noise_origin=_noise_origin(found),
         locations=tuple(
-            _location(found, name, locations.get(name), unit[name], ORIGINS[prior]) for name in model.location_errors
+            _location(found, name, locations.get(name), unit[name], prior) for name in model.location_errors
         ),
-        components=tuple(_component(name, components.get(name), ORIGINS[prior]) for name in model.components),
+        components=tuple(_component(name, components.get(name), prior) for name in model.components),
         undetermined=values.undetermined,
         quality=judged,
         instruments=_instruments(observed, found),
         noise_groups=_noise_groups(observed, found),
         effects=effect_reports(values, found),
-        notes=(*remedies, *estimate_notes(model, observed, found, given)),
+        outliers=int(found.readings.outliers.sum()),
+        notes=(*remedies, *estimate_notes(model, observed, found, given, prior=prior)),
         caveats=dimension_notes(model, given),
     )
 
@@ -98,39 +99,41 @@ def _rms(values: FloatArray, rows: BoolArray) -> float | None:
     return 1e3 * float(np.sqrt(np.mean(values[rows] ** 2))) if rows.any() else None
 
 
-def _location(
-    found: Estimate, name: str, judged: Judged | None, unit: str, origins: Mapping[Determined, str]
-) -> LocationReport:
+def _location(found: Estimate, name: str, judged: Judged | None, unit: str, prior: bool) -> LocationReport:
     value = found.values.parameters.get(name, 0.0)
     if judged is None:
         return LocationReport(name=name, value=value, u=None, unit=unit, origin="given")
     return LocationReport(
         name=name,
         value=value,
-        u=_known_u(judged),
+        u=_known(judged.u),
         unit=unit,
-        origin=origins[judged.determined],
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
+        origin=ORIGINS[prior][judged.determined],
+        u_readings=judged.u_readings_rms if prior else None,
+        u_prior=judged.u_prior_rms if prior else None,
+        prior=judged.prior_rms if prior else None,
     )
 
 
-def _known_u(judged: Judged) -> float | None:
-    return judged.u if np.isfinite(judged.u) else None
+def _known(u: float) -> float | None:
+    return u if np.isfinite(u) else None
 
 
-def _component(name: ErrorName, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
+def _component(name: ErrorName, judged: Judged | None, prior: bool) -> ComponentReport:
     if judged is None:
         return ComponentReport(name=name, known="given", largest=0.0, u=None, unit=name.unit)
     return ComponentReport(
         name=name,
         known=KNOWN[judged.determined],
         largest=judged.largest,
-        u=_known_u(judged),
+        u=_known(judged.u),
         unit=name.unit,
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
-        origin=origins[judged.determined],
+        at=judged.at,
+        u_there=_known(judged.u_there),
+        u_readings_rms=judged.u_readings_rms if prior else None,
+        u_prior_rms=judged.u_prior_rms if prior else None,
+        prior_rms=judged.prior_rms if prior else None,
+        origin=ORIGINS[prior][judged.determined],
     )
 
 
@@ -166,5 +169,6 @@ def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupRe
         size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
         slow = f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
         told = " (stated)" if name in found.noise.stated else slow
-        groups.append(NoiseGroupReport(name + told, size, small_unit(name)))
+        stated, unit = name in found.noise.stated, small_unit(name)
+        groups.append(NoiseGroupReport(group=name + told, noise_um=size, unit=unit, instrument=name, stated=stated))
     return tuple(groups)

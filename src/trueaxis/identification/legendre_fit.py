@@ -261,7 +261,8 @@ def _polynomial(
 def _with_change(covariance: Covariance, root: FloatArray, changed: FloatArray) -> Covariance:
     """With the change of the values as one further column, before those of the prior."""
     at = root.shape[1] - (covariance.of_prior or 0)
-    return replace(covariance, root=np.insert(root, at, changed, axis=1))
+    usual = covariance.usual and _with_change(covariance.usual, _dense(covariance.usual), changed)
+    return replace(covariance, root=np.insert(root, at, changed, axis=1), usual=usual)
 
 
 def _dense(covariance: Covariance) -> FloatArray:

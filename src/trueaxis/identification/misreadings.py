@@ -25,17 +25,19 @@ LEAST_MACHINE = 1.0 / 30.0
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
 MOST_RUNS = 10  # that are listed
+LEAST_P = 1e-12  # smaller probabilities are no figures: the tails of noise are not known so far out
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contradicting:
-    """Runs that contradict the others, the surest first. times: how far the farthest is off, over its noise;
-    zeros_free: the same where zeros may be anything; moved, u: how far the tool point moves without them, and how
-    uncertain it is then, mm.
+    """Runs that contradict the others, the surest first. times: how far the farthest is off, over its noise; log_p: of
+    the least sure, logarithm of the probability of being as far by noise; zeros_free: times where zeros may be
+    anything; moved, u: how far the tool point moves without them, and how uncertain it is then, mm.
     """
 
     runs: tuple[str, ...]
     times: float
+    log_p: float
     zeros_free: float
     moved: float
     u: float
@@ -52,19 +54,23 @@ class Contradicting:
         left = len(self.runs) - MOST_RUNS
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
-            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} "
-            f"standard deviations of what these predict; without {them} the tool point moves by "
-            f"{self.moved * 1e3:.2g} um in the volume and is known to {self.u * 1e3:.2g} um (are runs "
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: the probability that noise "
+            f"takes a sound run as far from what these let expect is {_probability(self.log_p)} (up "
+            f"to {self.times:.2g} standard deviations, in several directions together); without {them} the tool point "
+            f"moves by {self.moved * 1e3:.2g} um in the volume, which is known to {self.u * 1e3:.2g} um then (are runs "
             "swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
             "effect? diagnose tells more)"
         )
 
 
-def with_misread(judged: FitQuality, observed: Observations, found: Estimate) -> FitQuality:
-    """A misfit where runs are misread for sure, or contradict the others by much: the values follow them, too."""
+def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *, prior: bool) -> FitQuality:
+    """A misfit where runs are misread for sure, or contradict the others by much: the values follow them, too.
+
+    prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
+    """
     sure = {observed.runs[index].id: one for index, one in found.readings.misread.items() if one.sure}
     reasons, named = [_of_runs(sure) if sure else _of_all(found)], tuple(sure)
-    contradicting = _contradicting(observed, found)
+    contradicting = _contradicting(observed, found) if prior else None
     if contradicting is not None and contradicting.matter:
         reasons, named = [*reasons, str(contradicting)], named + contradicting.runs
     reason = "; ".join(filter(None, reasons))
@@ -73,10 +79,16 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate) ->
     return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason, misread=tuple(sure))
 
 
-def misread_notes(observed: Observations, found: Estimate) -> tuple[str, ...]:
+def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tuple[str, ...]:
     """Runs that may be misread, with the odds, and those that contradict the others but change little."""
     contradicting = _contradicting(observed, found)
-    little = () if contradicting is None or contradicting.matter else (str(contradicting),)
+    little = () if contradicting is None or (contradicting.matter and prior) else (str(contradicting),)
+    if contradicting is not None and not prior:
+        named = enumerated(contradicting.runs[:MOST_RUNS])
+        little = (
+            f"{named}: the readings are not what the other runs let expect. Without a prior the others hold errors "
+            "that they do not determine at zero, so that this is no proof of a wrong run: --prior spec judges it",
+        )
     return little + tuple(
         f"run {observed.runs[index].id} may read {READS[one.how]}: that makes the readings "
         f"{np.exp(one.log_odds):.2g} times as likely, which is not enough to be sure"
@@ -103,10 +115,16 @@ def _contradicting(observed: Observations, found: Estimate) -> Contradicting | N
     return Contradicting(
         runs=tuple(observed.runs[index].id for one in each for index in one.runs),
         times=max(one.times for one in each),
+        log_p=max(one.log_p for one in each),
         zeros_free=max(one.zeros_free for one in each),
         moved=moved,
         u=u,
     )
+
+
+def _probability(log_p: float) -> str:
+    """`3e-07`, `below 1e-12`."""
+    return f"{np.exp(log_p):.0e}" if log_p > np.log(LEAST_P) else f"below {LEAST_P:.0e}"
 
 
 def _of_all(found: Estimate) -> str:

@@ -1,27 +1,20 @@
-"""What a reader of identified values must know besides.
-
-Of sizes of instrument unknowns that come from the readings: how well a centre, a line or a zero is taken to be known,
-from how few values, and what u would be by the size that is usual.
-"""
+"""What a reader of identified values must know besides."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from trueaxis.estimation.evidence import LIKELIER
-from trueaxis.estimation.instrument_sizes import AsExpected
 from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
-from trueaxis.estimation.judgement import judged_component, judged_location
 from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.noise_of_residuals import SHARES
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
-from trueaxis.estimation.tool_point import ORIGIN, tool_point, volume
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
-from trueaxis.identification.words import enumerated, in_small, small
+from trueaxis.identification.words import enumerated, in_small
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.setup import Setup
@@ -29,12 +22,12 @@ from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
 SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
+DRIFT = 3.0  # times the usual drift of a run of the instrument: a smaller slow part is no more than that
+MOST_SLOW = 0.999 * float(np.sqrt(SHARES[-1]))  # of the noise: the largest that is looked for
 MOST_OUTLIERS = 20  # named
 MOST_ZEROS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
-LARGER = 2.0  # times u: less is within what a reader makes of any statement of uncertainty
-MOST_NAMED = 4  # errors whose u would be larger by most
 
 
 def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
@@ -95,7 +88,9 @@ def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple
     )
 
 
-def estimate_notes(model: MachineModel, observed: Observations, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
+def estimate_notes(
+    model: MachineModel, observed: Observations, found: Estimate, given: ErrorValues, *, prior: bool
+) -> tuple[str, ...]:
     """On an estimate: what was taken as known, and where readings and expectations are far apart."""
     notes = []
     fixed = [name for name in model.location_errors if name in given.parameters]
@@ -107,11 +102,15 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             "remove them from the file to have them estimated"
         )
     for name, one in found.noise.of_instrument.items():
-        if one.slow > SLOW * one.white:
+        drift = CLASSES[f"{name} drift"].size
+        if one.slow > max(SLOW * one.white, DRIFT * drift):
+            least = "at least " if one.slow >= MOST_SLOW * one.sigma else ""
+            unit = small_unit(name)
             notes.append(
-                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} {small_unit(name)}, is "
-                f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do "
-                "a wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
+                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} {unit}, is {least}"
+                f"{one.slow / one.white:.2g} times its white part and more than {DRIFT:g} times the usual drift "
+                f"({drift * 1e3:.3g} {unit}). A large drift of the instrument looks like that, and so do a wrong sign, "
+                "a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
             )
     expected = {
         "translation": (model.prior.translation * 1e3, "translation_um"),
@@ -143,8 +142,8 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
         )
     return (
         *notes,
-        *_instrument_size_notes(model, observed, found),
-        *misread_notes(observed, found),
+        *_alignment(observed, found),
+        *misread_notes(observed, found, prior=prior),
         *_zeros_far_off(observed, found),
     )
 
@@ -174,17 +173,10 @@ def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
             )
 
 
-def _instrument_size_notes(model: MachineModel, observed: Observations, found: Estimate) -> Iterator[str]:
-    """On the sizes of instrument unknowns on which u rests."""
-    if found.ideal:
-        return
-    yield from _alignment(observed, found)
-    if found.as_expected is not None:
-        yield from _by_expected_sizes(model, observed, found, found.as_expected)
-
-
 def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
     """How well lines of straightness are taken to be aligned: what is known of directions from home rests on it."""
+    if found.ideal:
+        return
     lines = [
         run.id
         for index, run in enumerate(observed.runs)
@@ -197,50 +189,3 @@ def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
             "readings make likely; squareness and directions from home rest on that. Lines that were turned until both "
             "ends read alike say nothing of these: state line_u_urad = 1000 of their [device] in setup.toml"
         )
-
-
-def _by_expected_sizes(
-    model: MachineModel, observed: Observations, found: Estimate, expected: AsExpected
-) -> Iterator[str]:
-    """Where u would be far larger by the usual sizes."""
-    usual = replace(found, spread=expected.spread, of_prior=0)
-    pairs = [
-        *(
-            (name, judged_location(found, name).u, judged_location(usual, name).u, model.machine.parameter_unit(name))
-            for name in found.layout.locations
-        ),
-        *(
-            (name, judged_component(found, name).u, judged_component(usual, name).u, name.unit)
-            for name in found.layout.components
-        ),
-    ]
-    larger = sorted((one for one in pairs if one[2] > LARGER * one[1]), key=lambda one: -one[2] / one[1])
-    tool = [float(np.sqrt(np.mean(tool_point(one, volume(model), [ORIGIN]).u ** 2))) for one in (found, usual)]
-    if not larger and tool[1] <= LARGER * tool[0]:
-        return
-    counts = _counts(observed, found)
-    sizes = [_size(kind, found, counts) for kind in expected.classes]
-    named = [f"{name} {small(now, unit)} ({small(then, unit)})" for name, now, then, unit in larger[:MOST_NAMED]]
-    rest = f" and {len(larger) - MOST_NAMED} more errors" if len(larger) > MOST_NAMED else ""
-    yield (
-        f"u rests on sizes of instrument unknowns that the readings make far smaller than usual: {'; '.join(sizes)}. A "
-        "size from few values is a guess. With the usual sizes, which plan uses, u would be that in "
-        f"brackets: tool point over the volume {small(tool[0], 'mm')} ({small(tool[1], 'mm')})"
-        + "".join(f", {one}" for one in named)
-        + rest
-    )
-
-
-def _counts(observed: Observations, found: Estimate) -> dict[str, int]:
-    """How many unknowns of each class there are."""
-    kinds = [one.kind for one in found.layout.shared]
-    for index in found.own:
-        kinds += own_kinds(observed.runs[index], found.layout.straightness[index])
-    return {kind: kinds.count(kind) for kind in kinds}
-
-
-def _size(kind: str, found: Estimate, counts: dict[str, int]) -> str:
-    """`ballbar centre 0.083 um, from 3 values (usual 50 um)`."""
-    unit, usual = CLASSES[kind].unit, CLASSES[kind].size
-    values = f"{counts[kind]} value{'s' if counts[kind] > 1 else ''}"
-    return f"{kind} {small(usual * found.factors[kind], unit)}, from {values} (usual {small(usual, unit)})"

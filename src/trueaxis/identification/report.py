@@ -8,6 +8,7 @@ from trueaxis.effects.kind import Role
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.identification.fit_quality import FitQuality
+from trueaxis.identification.usual_sizes import ByUsualSizes
 from trueaxis.measurement.instrument_kinds import SmallUnit
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues, Undetermined
@@ -38,7 +39,8 @@ class BlockReport:
 class LocationReport:
     """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from.
 
-    u_readings, u_prior: the parts of u by the readings and by the prior, None where they are not known.
+    u_readings, u_prior: the parts of u by the readings and by the prior, None where they are not known; prior: what the
+    prior lets expect, None without one. These three say what determines it.
     """
 
     name: str
@@ -48,14 +50,18 @@ class LocationReport:
     origin: str
     u_readings: float | None = None
     u_prior: float | None = None
+    prior: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComponentReport:
-    """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad.
+    """A component over the measured positions: largest value and largest standard uncertainty (None: unknown), mm or
+    rad.
 
-    u_readings, u_prior: the parts of u, where it is largest, by the readings and by the prior, None where they are not
-    known; origin: where it comes from, in words, empty where `known` says it.
+    at: where the largest value is, mm or deg, u_there: its standard uncertainty, None where not known. u_readings_rms,
+    u_prior_rms, prior_rms: root mean squares over the travel of the parts of u by the readings and by the prior, and
+    of what the prior lets expect, None without a prior: these three say what determines it. origin: where it comes
+    from, in words, empty where `known` says it.
     """
 
     name: str
@@ -63,8 +69,11 @@ class ComponentReport:
     largest: float
     u: float | None
     unit: str
-    u_readings: float | None = None
-    u_prior: float | None = None
+    at: float | None = None
+    u_there: float | None = None
+    u_readings_rms: float | None = None
+    u_prior_rms: float | None = None
+    prior_rms: float | None = None
     origin: str = ""
 
 
@@ -99,13 +108,15 @@ class EffectReport:
     origin: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseGroupReport:
-    """Noise of the readings of an instrument (um, or as `unit` says), and what is said of it."""
+    """Noise of the readings of an instrument (um, or as `unit` says), and what is said of it; stated: by the user."""
 
     group: str
     noise_um: float
     unit: SmallUnit = "um"
+    instrument: str = ""
+    stated: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,7 +145,8 @@ class IdentificationReport:
     each instrument; curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the
     fit ended, and the residuals of each run; combinations: errors of which the readings tell a sum much better than its
     parts; tool: how well the tool point is known over the volume, None without a prior; measurement: free text of
-    setup.toml about it; caveats: what must be known before all else.
+    setup.toml about it; caveats: what must be known before all else; usual: where the usual sizes of instrument
+    unknowns make u far larger; outliers: readings that were left out.
     """
 
     machine: str
@@ -166,6 +178,8 @@ class IdentificationReport:
     tool: ToolSummary | None = None
     measurement: Mapping[str, str] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()
+    usual: ByUsualSizes | None = None
+    outliers: int = 0
 
     @property
     def nothing_determined(self) -> bool:

@@ -6,22 +6,19 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from trueaxis.identification.error_lines import component_line, location_line, small_size, with_u
 from trueaxis.identification.fit_quality import LACKING, MISFIT, MOST_RUNS, UNUSUAL, FitQuality, RunResidual
 from trueaxis.identification.report import (
     BlockReport,
-    ComponentReport,
     CurveOrderReport,
     EffectParameterReport,
     EffectReport,
     IdentificationReport,
     InstrumentReport,
-    LocationReport,
 )
-from trueaxis.identification.words import IN_COMBINATION, combination_text, in_small, tool_sentence
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.identification.words import IN_COMBINATION, RULE, combination_text, in_small, tool_sentence
 
 WIDTH = 100
-MICRO = 1e6
 WORST = 5  # runs with a line of their own
 
 
@@ -49,9 +46,8 @@ def report_text(report: IdentificationReport) -> str:
     lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
     if report.locations:
         lines += ["", "location errors:"]
-        lines += [_location(location) for location in report.locations]
-    lines += ["", "error motions over the measured positions:" if report.blocks else "error motions over the travel:"]
-    lines += [_component(component) for component in report.components]
+        lines += [location_line(location) for location in report.locations]
+    lines += _components(report)
     if report.effects:
         lines += ["", "effects (U: expanded uncertainty, k = 2):"]
         lines += [line for one in report.effects for line in _effect(one)]
@@ -68,6 +64,20 @@ def report_text(report: IdentificationReport) -> str:
     for note in report.notes:
         lines += _wrapped(note, "note: ")
     return "\n".join(lines) + "\n"
+
+
+def _components(report: IdentificationReport) -> list[str]:
+    """Lines on the motion errors, with the rule by which they are said to be determined."""
+    if report.blocks:
+        over = "error motions over the measured positions:"
+    elif report.tool is None:
+        over = "error motions over the travel: largest value, where, its u; largest u:"
+    else:
+        over = "error motions over the travel: largest value, where, its u; largest u (RMS of its parts):"
+    lines = ["", over, *(component_line(component) for component in report.components)]
+    if any(one.prior_rms is not None for one in report.components):
+        lines += _wrapped(RULE, "  ")
+    return lines
 
 
 def _residuals(report: IdentificationReport) -> str:
@@ -141,14 +151,14 @@ def _curve_order(one: CurveOrderReport) -> str:
             ("paper", one.by_paper, one.held_out_by_paper),
             ("held-out", one.by_held_out, one.held_out),
         )
-        for value, unit in [_small(off, one.unit)]
+        for value, unit in [small_size(off, one.unit)]
     ]
     return f"  {one.name}  {sides[0]:<36} {sides[1]}"
 
 
 def _instrument(one: InstrumentReport) -> list[str]:
-    value, unit = _small(one.value, one.unit)
-    return _wrapped(f"{one.name}: {value:+.4g} {unit} {_with_u(one.u, one.unit).strip()} {one.origin}", "  ")
+    value, unit = small_size(one.value, one.unit)
+    return _wrapped(f"{one.name}: {value:+.4g} {unit} {with_u(one.u, one.unit).strip()} {one.origin}", "  ")
 
 
 def _effect(one: EffectReport) -> list[str]:
@@ -169,40 +179,6 @@ def _block(number: int, block: BlockReport) -> list[str]:
     head = f"{number}. {' '.join(block.runs)} -> {' '.join(block.components)}: "
     head += f"{block.equations} equations, {block.unknowns} unknowns, {solved}, condition {block.condition:.3g}"
     return _wrapped(head + (f"; {block.remark}" if block.remark else ""), "  ")
-
-
-def _location(location: LocationReport) -> str:
-    value, unit = _small(location.value, location.unit)
-    u = _with_u(location.u, location.unit) + _parts(location)
-    return f"  {location.name:<10} {value:+10.4g} {unit:<5} {u}  {location.origin}"
-
-
-def _component(component: ComponentReport) -> str:
-    value, unit = _small(component.largest, component.unit)
-    largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}{_parts(component)}"
-    if component.known in ("not measured", "given"):
-        largest = ""
-    known = f"{component.origin:<22}" if component.origin else f"{component.known:<13}"
-    return f"  {component.name:<4} {known} {largest}".rstrip()
-
-
-def _parts(one: LocationReport | ComponentReport) -> str:
-    """The two parts of u."""
-    if one.u_readings is None or one.u_prior is None:
-        return ""
-    readings, prior = (_small(part, one.unit)[0] for part in (one.u_readings, one.u_prior))
-    return f" (readings {readings:.3g}, prior {prior:.3g})"
-
-
-def _with_u(u: float | None, unit: str) -> str:
-    return f"u {_small(u, unit)[0]:9.3g}" if u is not None else " " * 11
-
-
-def _small(value: float, unit: str) -> tuple[float, str]:
-    """In micrometres, microradians or parts per million."""
-    if unit == "1":
-        return plain_zero(value * MICRO), "ppm"
-    return (plain_zero(value * 1e3), "um") if unit == "mm" else (plain_zero(value * MICRO), "urad")
 
 
 def _wrapped(text: str, lead: str) -> list[str]:

@@ -16,6 +16,10 @@ DETERMINED_BY: dict[Determined, str] = {
     "partly": "partly by the prior",
     "prior": "by the prior alone",
 }
+RULE = (
+    "determined by readings: the prior's part of u is below that of the readings, or below a tenth of what is expected "
+    "without them (of ...); by the prior alone: u exceeds nine tenths of that; of curves the root mean squares count"
+)
 IN_COMBINATION = "known only in combination (before the convention separates straightness and squareness)"
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
@@ -90,6 +94,12 @@ def small(value: float, unit: str) -> str:
     return f"{size:.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
+def parts_of_u(u_readings: float, u_prior: float, prior: float, unit: str) -> str:
+    """The three figures that say by what a value is determined: `readings 10.3, prior 10.7, of 100 urad`."""
+    readings, by_prior = (small(one, unit).split()[0] for one in (u_readings, u_prior))
+    return f"readings {readings}, prior {by_prior}, of {small(prior, unit)}"
+
+
 def in_small(unit: str) -> tuple[float, str]:
     """The factor and the unit by which sizes of effects are written: micrometres and microradians."""
     for plain, small_unit, by in (("mm", "um", 1e3), ("rad", "urad", 1e6)):
@@ -114,10 +124,14 @@ def tool_sentence(tool: ToolSummary) -> str:
     at = " ".join(f"{axis}{position:g}" for axis, position in tool.largest_at.items())
     points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
     sizes = "errors of the sizes that are estimated" if tool.estimated else "[prior]"
+    usual = less = ""
+    if tool.u_usual_rms is not None and tool.largest_u_estimated is not None:
+        usual = f"; u by the usual sizes of instrument unknowns {small(tool.u_usual_rms, 'mm')}"
+        less = f", by these sizes; {small(tool.largest_u_estimated, 'mm')} by those that the readings make likely"
     return (
         f"u of {points}, seen from home: {small(tool.u_rms, 'mm')} RMS over the volume, of which "
         f"{small(tool.u_prior_rms, 'mm')} rest on the prior ({small(tool.prior_rms, 'mm')} without readings, by "
-        f"{sizes}); at most {small(tool.largest_u, 'mm')} in one coordinate, over the travel (at {at}). On a "
-        f"workpiece placed where it fits best: {small(tool.u_placed_rms, 'mm')} RMS "
+        f"{sizes}{usual}); at most {small(tool.largest_u, 'mm')} in one coordinate, over the travel (at {at}{less}). "
+        f"On a workpiece placed where it fits best: {small(tool.u_placed_rms, 'mm')} RMS "
         f"({small(tool.prior_placed_rms, 'mm')} without readings)"
     )

@@ -10,6 +10,7 @@ from trueaxis.estimation.observations import observations
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.notes import compensation_note, unread_caveats
+from trueaxis.identification.origin import origin_of
 from trueaxis.identification.paper.method import identify_paper
 from trueaxis.identification.paper.solution import PaperOptions
 from trueaxis.identification.report import IdentificationReport
@@ -113,7 +114,8 @@ def identify(
         measurement=measured.setup.report,
     )
     covariance = _with_known(found.covariance, known)
-    return Identified(Errors(found.values, covariance, machine=model.machine), report)
+    origin = origin_of(report, data.folder.resolve().name, method == "global" and prior)
+    return Identified(Errors(replace(found.values, origin=origin), covariance, machine=model.machine), report)
 
 
 def _options(choice: "MethodChoice", values: ErrorValues | None) -> IdentifyOptions:

@@ -37,7 +37,7 @@ from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import MOST_NAMED, open_names
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, prior_size, tool_uncertainty
+from trueaxis.model.uncertainty import ToolUncertainty, home_of, prior_size, tool_uncertainty
 from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws
@@ -48,6 +48,7 @@ from trueaxis.reporting.reliance import (
     open_sentence,
     placement_sentence,
     range_sentences,
+    usual_sentence,
 )
 
 Datum = Literal["machine", "home", "best-fit"]
@@ -167,7 +168,7 @@ def predicted(
         u=uncertainty.u,
         u_prior=uncertainty.u_prior,
         open=uncertainty.open,
-        notes=_notes(model, covariance, positions, tool, uncertainty.open, placement),
+        notes=_notes(model, covariance, positions, tool, uncertainty, placement),
         placement=placement,
     )
 
@@ -184,7 +185,7 @@ def with_draws(
     """The prediction with the distribution of its deviations; model: with error values; show: told how far it is."""
     count = done.positions.shape[1]
     points = DrawnPoints(
-        positions=done.positions, tool=done.tool, context=context.filled(), covariance=covariance,
+        positions=done.positions, tool=done.tool, context=context.filled(), covariance=covariance.cautious,
         home=home_of(model) if datum == "home" else None,
         placements=placements(model.ideal(done.positions, done.tool)) if datum == "best-fit" else None,
         offset=np.zeros((3, count)), steps=np.zeros((3, 0, count)), draws=draws,
@@ -198,15 +199,19 @@ def _notes(
     covariance: Covariance,
     positions: FloatArray,
     tool: FloatArray,
-    opened: FloatArray,
+    uncertainty: ToolUncertainty,
     placement: Placement | None,
 ) -> tuple[str, ...]:
     """What a user must know of these deviations besides their values."""
-    count = positions.shape[1]
+    count, opened = positions.shape[1], uncertainty.open
     fit, rests = model.errors.fit, (opened > 0.0).any(axis=0)
     found = [] if placement is None else [placement_sentence(placement)]
     found += [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
     found += range_sentences(beyond_measured(model.errors, model.axes, positions), count)
+    estimated, known = uncertainty.u_estimated, ~np.isnan(uncertainty.u)
+    if estimated is not None and known.any():
+        by_both = (float(np.sqrt(np.mean(u[known] ** 2))) for u in (uncertainty.u, estimated))
+        found.append(usual_sentence(*by_both))
     if rests.any():
         names = open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool[:, rests][:, :1])
         found.append(open_sentence(int(rests.sum()), count, float(opened.max()), names))

@@ -7,24 +7,21 @@ carry themselves.
 
 import hashlib
 import json
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
-from scipy.sparse import block_diag, csr_array, diags_array, eye_array, hstack
+from scipy.sparse import block_diag, csr_array, eye_array
 
 from trueaxis.error_name import ErrorName
-from trueaxis.machine.machine import Machine
-from trueaxis.model.bases import Basis, unmeasured_basis
+from trueaxis.model.bases import Basis
 from trueaxis.model.curve_json import curve_object
-from trueaxis.model.curves import Curve, FloatArray, TableCurve, basis_of_curve
+from trueaxis.model.curves import FloatArray
 from trueaxis.model.effect_values import effect_object
 from trueaxis.model.errors import ErrorValues
 
 DENSE = 0.25  # share of entries that are not zero above which products with a full matrix are faster
-BoolArray = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -39,7 +36,8 @@ class Covariance:
     no reading determines, as steps of the values; effects: labels, effect_parameters: names of the parameters of each;
     sha256_of_values: digest of the values it belongs to, empty where it is of none yet. of_prior: how many of the last
     columns of the root are the part of the covariance that rests on the prior, the others being that of the readings;
-    None where the parts are not known.
+    None where the parts are not known. usual: the covariance by the usual sizes of instrument unknowns, of the same
+    values, where it says far more than this one, whose sizes a few readings make likely; None where there is none.
     """
 
     machine: str
@@ -52,6 +50,15 @@ class Covariance:
     effect_parameters: tuple[tuple[str, ...], ...] = ()
     sha256_of_values: str = ""
     of_prior: int | None = None
+    usual: "Covariance | None" = None
+
+    @property
+    def cautious(self) -> "Covariance":
+        """The covariance on which it rests what may be done to a machine: by the usual sizes where there is one."""
+        return self if self.usual is None else self.usual
+
+    def _usual(self, change: "Callable[[Covariance], Covariance]") -> "Covariance | None":
+        return None if self.usual is None else change(self.usual)
 
     @property
     def count(self) -> int:
@@ -81,7 +88,8 @@ class Covariance:
         opened = np.hstack([moved @ self.open, np.eye(self.count + added)[:, at : at + added]])
         root = _mapped(moved, self.root)
         components, kinds = (*self.components, *bases), (*self.bases, *bases.values())
-        return replace(self, components=components, bases=kinds, root=root, open=opened)
+        usual = self._usual(lambda one: one.with_open_components(bases))
+        return replace(self, components=components, bases=kinds, root=root, open=opened, usual=usual)
 
     def joined(self, other: "Covariance") -> "Covariance":
         """With the values of another, which has none of the same; they are independent.
@@ -110,6 +118,7 @@ class Covariance:
             effects=self.effects + other.effects,
             effect_parameters=self.effect_parameters + other.effect_parameters,
             of_prior=of_prior,
+            usual=None if self.usual is other.usual is None else self.cautious.joined(other.cautious),
         )
 
     def of(self, components: Collection[str], locations: Collection[str], effects: Collection[str]) -> "Covariance":
@@ -135,6 +144,7 @@ class Covariance:
             effects=tuple(label for label, _ in of_effects),
             effect_parameters=tuple(names for _, names in of_effects),
             of_prior=self.of_prior,
+            usual=self._usual(lambda one: one.of(components, locations, effects)),
         )
 
     def smoothed(self, changes: Mapping[str, FloatArray]) -> "Covariance":
@@ -148,7 +158,7 @@ class Covariance:
         ]
         others = self.count - sum(basis.count for basis in self.bases)
         change = csr_array(block_diag([*blocks, eye_array(others)], format="csr"))
-        return replace(self, root=_mapped(change, self.root))
+        return replace(self, root=_mapped(change, self.root), usual=self._usual(lambda one: one.smoothed(changes)))
 
 
 def _parts(covariance: Covariance) -> FloatArray:
@@ -207,83 +217,3 @@ def digest_of_numbers(errors: ErrorValues) -> str:
 
 def _digest(tree: dict[str, Any]) -> str:
     return hashlib.sha256(json.dumps(tree, sort_keys=True).encode()).hexdigest()
-
-
-def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
-    """The standard uncertainties that error values carry, as if independent; values without one count as open.
-
-    Where no value has one, nothing is known (root None), and open is what the values name as undetermined.
-    """
-    named = {name for item in errors.undetermined for name in item.parameters}
-    curves = {name: errors.motion_errors[name] for name in machine.components if name in errors.motion_errors}
-    bases: dict[ErrorName, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
-    for name in machine.components:
-        if name in named and name not in bases:
-            bases[name] = unmeasured_basis(machine.travel, name)
-    locations = tuple(name for name in machine.location_errors if name in errors.parameters or name in named)
-    parts = [_u_of_curve(curves[name]) if name in curves else np.full(bases[name].count, np.nan) for name in bases]
-    parts.append(np.array([errors.u.get(name, np.nan) for name in locations]))
-    names = [tuple(one.name for one in machine.kinds[values.effect.kind].parameters) for values in errors.effects]
-    parts += [np.array([one.u.get(n, np.nan) for n in of]) for one, of in zip(errors.effects, names, strict=True)]
-    u = np.concatenate([*parts, np.zeros(0)])
-    owners = [*(name for name in bases for _ in range(bases[name].count)), *locations]
-    undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
-    known = bool(np.isfinite(u).any())
-    opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
-    by_parts = _own_parts(errors, curves, bases, locations, u.size)
-    root, of_prior = _own_root(u, by_parts, opened) if known else (None, None)
-    return Covariance(
-        machine=machine.name,
-        components=tuple(bases),
-        bases=tuple(bases.values()),
-        locations=locations,
-        root=root,
-        open=_steps(opened),
-        effects=tuple(values.effect.label for values in errors.effects),
-        effect_parameters=tuple(names),
-        of_prior=of_prior,
-    )
-
-
-def _own_parts(
-    errors: ErrorValues,
-    curves: Mapping[ErrorName, Curve],
-    bases: Mapping[ErrorName, Basis],
-    locations: Sequence[str],
-    count: int,
-) -> FloatArray:
-    """(2, count): the parts of u by the readings and by the prior, NaN where a value does not have them."""
-    found = np.full((2, count), np.nan)
-    start = 0
-    for name, basis in bases.items():
-        curve = curves.get(name)
-        if not isinstance(curve, TableCurve | None) and curve.u_readings is not None and curve.u_prior is not None:
-            found[:, start : start + basis.count] = curve.u_readings, curve.u_prior
-        start += basis.count
-    for at, location in enumerate(locations, start):
-        found[:, at] = errors.u_readings.get(location, np.nan), errors.u_prior.get(location, np.nan)
-    return found
-
-
-def _own_root(u: FloatArray, parts: FloatArray, opened: BoolArray) -> tuple[csr_array, int | None]:
-    """A root of the covariance of values that are independent, and how many of its columns are the prior's.
-
-    Tables have thousands of values: a matrix of all values times all would take gigabytes.
-    """
-    if np.isnan(parts[:, ~opened]).any():
-        return csr_array(diags_array(np.where(opened, 0.0, u))), None
-    readings, by_prior = np.where(opened, 0.0, parts)
-    return csr_array(hstack([diags_array(readings), diags_array(by_prior)])), u.size
-
-
-def _steps(opened: BoolArray) -> FloatArray:
-    """(n, d): a step of each value that is open."""
-    at = np.flatnonzero(opened)
-    found = np.zeros((opened.size, at.size))
-    found[at, np.arange(at.size)] = 1.0
-    return found
-
-
-def _u_of_curve(curve: Curve) -> FloatArray:
-    count = basis_of_curve(curve).count
-    return np.full(count, np.nan) if curve.u is None else np.array(curve.u, dtype=np.float64)

@@ -62,14 +62,15 @@ def dump_covariance(covariance: Covariance) -> bytes:
     }
     if covariance.of_prior is not None:
         head["prior_columns"] = covariance.of_prior
-    root = csr_array((covariance.count, 0)) if covariance.root is None else csr_array(covariance.root)
-    arrays = {
-        "head": np.frombuffer(json.dumps(head).encode(), dtype=np.uint8),
-        "data": root.data.astype(np.float64),
-        "indices": root.indices.astype(np.int64),
-        "indptr": root.indptr.astype(np.int64),
-        "open": covariance.open,
-    }
+    arrays = _arrays(covariance, "") | {"open": covariance.open}
+    usual = covariance.usual
+    if usual is not None and usual.root is not None:
+        head["usual"] = "a root of the same form, by the usual sizes of instrument unknowns"
+        head["usual_columns"] = int(usual.root.shape[1])
+        if usual.of_prior is not None:
+            head["usual_prior_columns"] = usual.of_prior
+        arrays |= _arrays(usual, "usual_")
+    arrays = {"head": np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)} | arrays
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, array in arrays.items():
@@ -77,6 +78,16 @@ def dump_covariance(covariance: Covariance) -> bytes:
             np.lib.format.write_array(content, np.ascontiguousarray(array), allow_pickle=False)
             archive.writestr(zipfile.ZipInfo(f"{name}.npy"), content.getvalue(), zipfile.ZIP_DEFLATED)
     return buffer.getvalue()
+
+
+def _arrays(covariance: Covariance, before: str) -> dict[str, Any]:
+    """The root as sparse rows, by the names of its arrays, which begin with `before`."""
+    root = csr_array((covariance.count, 0)) if covariance.root is None else csr_array(covariance.root)
+    return {
+        f"{before}data": root.data.astype(np.float64),
+        f"{before}indices": root.indices.astype(np.int64),
+        f"{before}indptr": root.indptr.astype(np.int64),
+    }
 
 
 def read_covariance(path: Path, machine: Machine) -> Covariance:
@@ -89,8 +100,11 @@ def read_covariance(path: Path, machine: Machine) -> Covariance:
             head = json.loads(archive["head"].tobytes())
             schema = head["schema"]
             if schema == SCHEMA:
-                values, opened = (_numbers(archive[name]) for name in ("data", "open"))
-                covariance = _parsed(head, values, archive["indices"], archive["indptr"], opened)
+                opened = _numbers(archive["open"])
+                covariance, values = _parsed(head, archive, opened, "")
+                if "usual_columns" in head:
+                    usual, others = _parsed(head, archive, opened, "usual_")
+                    covariance, values = replace(covariance, usual=usual), np.concatenate([values, others])
     except Exception as error:  # whatever damage does to an archive
         faults.add("", f"is no covariance file: {type(error).__name__}", remedy)
         faults.raise_if_any()
@@ -129,26 +143,24 @@ def _numbers(array: Any) -> FloatArray:
     return np.array(array, dtype=np.float64)
 
 
-def _parsed(head: Mapping[str, Any], values: FloatArray, indices: Any, indptr: Any, opened: FloatArray) -> Covariance:
-    """The record of an archive's parts; raises anything where they are damaged."""
+def _parsed(head: Mapping[str, Any], archive: Any, opened: FloatArray, before: str) -> tuple[Covariance, FloatArray]:
+    """The record of an archive's parts, whose names begin with `before`, and the numbers of its root; raises anything
+    where they are damaged.
+    """
+    values = _numbers(archive[f"{before}data"])
+    indices, indptr = archive[f"{before}indices"], archive[f"{before}indptr"]
     rows, columns = (int(size) for size in head["shape"])
+    columns = int(head["usual_columns"]) if before else columns
     if not (0 <= rows <= MOST_ENTRIES and 0 <= columns <= MOST_ENTRIES):
         raise ValueError(f"{rows} values, {columns} columns")
-    if indices.dtype.kind not in "iu" or indptr.dtype.kind not in "iu" or indices.ndim != 1 or indptr.ndim != 1:
-        raise TypeError("indices are whole numbers")
-    if indptr.size != rows + 1 or (indices < 0).any() or (indices >= columns).any() or (np.diff(indptr) < 0).any():
-        raise ValueError("indices do not fit")
-    of_prior = head.get("prior_columns")
+    of_prior = head.get(f"{before}prior_columns")
     if not (of_prior is None or (isinstance(of_prior, int) and 0 <= of_prior <= columns)):
         raise ValueError(f"{of_prior!r} of {columns} columns")
-    if indptr[0] != 0 or indptr[-1] != values.size or values.shape != indices.shape:
-        raise ValueError("indices do not fit")
-    sparse = csr_array((values, indices.astype(np.int64), indptr.astype(np.int64)), shape=(rows, columns))
-    sparse.check_format(full_check=True)
+    sparse = _sparse_rows(values, indices, indptr, (rows, columns))
     root: FloatArray | csr_array | None = None
     if head["noise"] == "known":
         root = np.asarray(sparse.toarray()) if sparse.nnz > DENSE * rows * columns else sparse
-    return Covariance(
+    found = Covariance(
         machine=str(head["machine"]),
         components=tuple(map(ErrorName, _names(head["components"]))),
         bases=tuple(_basis(one) for one in head["bases"]),
@@ -160,6 +172,21 @@ def _parsed(head: Mapping[str, Any], values: FloatArray, indices: Any, indptr: A
         sha256_of_values=str(head["sha256_of_values"]),
         of_prior=of_prior,
     )
+    return found, values
+
+
+def _sparse_rows(values: FloatArray, indices: Any, indptr: Any, shape: tuple[int, int]) -> csr_array:
+    """Raises TypeError or ValueError where they are no sparse rows of that shape."""
+    rows, columns = shape
+    if indices.dtype.kind not in "iu" or indptr.dtype.kind not in "iu" or indices.ndim != 1 or indptr.ndim != 1:
+        raise TypeError("indices are whole numbers")
+    if indptr.size != rows + 1 or (indices < 0).any() or (indices >= columns).any() or (np.diff(indptr) < 0).any():
+        raise ValueError("indices do not fit")
+    if indptr[0] != 0 or indptr[-1] != values.size or values.shape != indices.shape:
+        raise ValueError("indices do not fit")
+    sparse = csr_array((values, indices.astype(np.int64), indptr.astype(np.int64)), shape=shape)
+    sparse.check_format(full_check=True)
+    return sparse
 
 
 def _is_basis(basis: Basis) -> bool:

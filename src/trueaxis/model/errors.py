@@ -1,8 +1,7 @@
 """Error values of one machine: parameters and motion errors, and their JSON file."""
 
-import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Literal, get_args
@@ -14,12 +13,13 @@ from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.model.curve_json import curve_object, read_curve, read_u, u_value
 from trueaxis.model.curves import Curve
 from trueaxis.model.effect_values import EffectValues, effect_object, in_order, read_effects
-from trueaxis.model.strict_json import JsonPath, key_path, number, parse, shown
+from trueaxis.model.origin import Origin, read_origin
+from trueaxis.model.strict_json import JsonPath, key_path, number, parse, shown, two_levels
 
 SCHEMA = 1
 _U = ("u", "u_readings", "u_prior")
 _VALUES = ("parameters", "motion_errors", "effects")
-_KEYS = ("schema", "machine", "fit", "covariance", *_VALUES, *_U, "determined", "undetermined")
+_KEYS = ("schema", "machine", "fit", "covariance", *_VALUES, *_U, "determined", "undetermined", "origin")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,8 @@ class ErrorValues:
     readings and by the prior, the squares of which add up to that of u; determined: by what motion errors and
     parameters are determined; undetermined: what identification left open;
     effects: values of the machine's effects; fit: how identification ended, None where nothing says so;
-    covariance: the file of their covariance, None where there is none.
+    covariance: the file of their covariance, None where there is none; origin: the readings they were identified from,
+    None where nothing says so.
     """
 
     machine: str
@@ -83,6 +84,7 @@ class ErrorValues:
     u_readings: Mapping[str, float] = field(default_factory=dict)
     u_prior: Mapping[str, float] = field(default_factory=dict)
     determined: Mapping[str, Determined] = field(default_factory=dict)
+    origin: Origin | None = None
 
 
 def read_errors(
@@ -117,6 +119,7 @@ def read_errors(
     determined = _determined(tree, (*components, *parameters), faults)
     fit = _fit(tree["fit"], faults) if "fit" in tree else None
     link = _covariance(tree["covariance"], faults) if "covariance" in tree else None
+    origin = read_origin(tree["origin"], faults) if "origin" in tree else None
     found = read_effects(tree.get("effects", []), effects, kinds, faults)
     for one in found:
         name = one.effect.component or ""
@@ -133,6 +136,7 @@ def read_errors(
         fit=fit,
         covariance=link,
         determined=determined,
+        origin=origin,
         **uncertainties,
     )
 
@@ -172,7 +176,9 @@ def dump_errors(
         tree["undetermined"] = [
             {"combination": item.combination, "parameters": list(item.parameters)} for item in errors.undetermined
         ]
-    return _two_levels(tree)
+    if errors.origin is not None:
+        tree["origin"] = asdict(errors.origin)
+    return two_levels(tree)
 
 
 def _check_head(tree: dict[str, Any], machine: str, faults: Faults) -> None:
@@ -276,22 +282,3 @@ def _suggest(name: str, known: Sequence[str]) -> str:
     if close:
         return f"did you mean {close[0]}?"
     return f"known: {', '.join(known)}" if known else "it has none"
-
-
-def _two_levels(tree: dict[str, Any]) -> str:
-    """JSON with a line per parameter and per curve: lists of coefficients stay on one line."""
-    parts = []
-    for key, value in tree.items():
-        if isinstance(value, dict) and value:
-            inner = ",\n".join(f"    {_flat(name)}: {_flat(item)}" for name, item in value.items())
-            parts.append(f"  {_flat(key)}: {{\n{inner}\n  }}")
-        elif isinstance(value, list) and value:
-            inner = ",\n".join(f"    {_flat(item)}" for item in value)
-            parts.append(f"  {_flat(key)}: [\n{inner}\n  ]")
-        else:
-            parts.append(f"  {_flat(key)}: {_flat(value)}")
-    return "{\n" + ",\n".join(parts) + "\n}\n"
-
-
-def _flat(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)

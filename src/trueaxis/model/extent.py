@@ -31,6 +31,8 @@ class UncertaintyExtent:
     u_readings_rms, correction_rms: root mean squares of the length of the uncertainty that the readings bring in (all
     of it where the prior's part is not known) and of the deviation from home, which a compensation takes away, over
     the positions where the first is known, mm; both 0 where it is nowhere.
+    largest_u_estimated: the largest u by sizes of instrument unknowns that readings make likely, mm, where `largest_u`
+    counts by the usual ones, see `ToolUncertainty`; None where there is one u alone.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -46,6 +48,7 @@ class UncertaintyExtent:
     correction_rms: float = 0.0
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
+    largest_u_estimated: float | None = None
 
     @property
     def counted(self) -> float:
@@ -61,9 +64,9 @@ class UncertaintyExtent:
 
     def refused(self, max_u: float | None, accepted: bool) -> bool:
         """Whether nothing may be written: an uncertainty is above max_u, mm; without one, where the values are worth
-        nothing and that is not accepted.
+        nothing, or rest on what neither readings nor a prior determine, and that is not accepted.
         """
-        return self.counted > max_u if max_u is not None else self.worth_nothing and not accepted
+        return self.counted > max_u if max_u is not None else (self.worth_nothing or self.open > 0) and not accepted
 
 
 def uncertainty_extent(
@@ -91,6 +94,9 @@ def uncertainty_extent(
         u_readings_rms=_length_rms(of_readings[:, told]),
         correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
+        largest_u_estimated=None
+        if uncertainty.u_estimated is None
+        else float(np.nan_to_num(uncertainty.u_estimated).max(initial=0.0)),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
     )
 

@@ -39,7 +39,7 @@ def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatAr
     ranges: dict[tuple[str, float, float, bool], list[str]] = {}
     for name, curve in errors.motion_errors.items():
         if curve.measured is not None:
-            by_prior = not isinstance(curve, TableCurve) and curve.u_prior is not None
+            by_prior = not isinstance(curve, TableCurve) and any(curve.u_prior or ())
             ranges.setdefault((ErrorName(name).axis, *curve.measured, by_prior), []).append(name)
     found = []
     for (axis, low, high, by_prior), names in ranges.items():

@@ -98,3 +98,22 @@ def _note_repeated(tree: Any, faults: Faults) -> None:
         elif isinstance(node, list):
             items = list(enumerate(node))
         waiting += [(value, (*path, key)) for key, value in reversed(items) if isinstance(value, _Object | list)]
+
+
+def two_levels(tree: dict[str, Any]) -> str:
+    """JSON with a line per parameter and per curve: lists of coefficients stay on one line."""
+    parts = []
+    for key, value in tree.items():
+        if isinstance(value, dict) and value:
+            inner = ",\n".join(f"    {_flat(name)}: {_flat(item)}" for name, item in value.items())
+            parts.append(f"  {_flat(key)}: {{\n{inner}\n  }}")
+        elif isinstance(value, list) and value:
+            inner = ",\n".join(f"    {_flat(item)}" for item in value)
+            parts.append(f"  {_flat(key)}: [\n{inner}\n  ]")
+        else:
+            parts.append(f"  {_flat(key)}: {_flat(value)}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def _flat(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)

@@ -15,13 +15,14 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.machine.machine import Machine
 from trueaxis.model.best_fit import Placements
 from trueaxis.model.context import Context
-from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values, own_uncertainty
+from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_values
 from trueaxis.model.covariance_file import read_covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.effect_terms import component_term
 from trueaxis.model.effect_values import EffectValues, identity
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
+from trueaxis.model.own_uncertainty import own_uncertainty
 
 OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
 _ENTRIES = 4_000_000  # of the derivatives held at a time: 32 MB
@@ -36,11 +37,14 @@ class ToolUncertainty:
     it that rests on the prior, NaN also where the parts are not known; the other part is that of the readings, and the
     squares of both add up to that of u. open: (3, n), by how much
     combinations that nothing determines move the point at the size that the prior allows, 0 where they do not.
+    u_estimated: (3, n), where a covariance by usual sizes of instrument unknowns stands beside the values: u by the
+    sizes that readings make likely. `u` is then the larger one of both, coordinate by coordinate. None: there is one.
     """
 
     u: FloatArray
     u_prior: FloatArray
     open: FloatArray
+    u_estimated: FloatArray | None = None
 
 
 def covariance_file(path: Path, errors: ErrorValues) -> Path | None:
@@ -92,9 +96,10 @@ def tool_uncertainty(
     not moved. Memory is bounded whatever n is.
     """
     n = positions.shape[1]
-    u, u_prior, opened = np.full((3, n), np.nan), np.full((3, n), np.nan), np.zeros((3, n))
+    known = [covariance] if covariance.usual is None else [covariance, covariance.usual]
+    u, u_prior, opened = np.full((len(known), 3, n), np.nan), np.full((len(known), 3, n), np.nan), np.zeros((3, n))
     steps = open_steps(model.machine, covariance)
-    columns = 0 if covariance.root is None else int(covariance.root.shape[1])
+    columns = max(0 if one.root is None else int(one.root.shape[1]) for one in known)
     pieces = list(_pieces(n, max(covariance.count, columns, steps.shape[1])))
 
     def by_values(rows: slice) -> FloatArray:
@@ -118,15 +123,29 @@ def tool_uncertainty(
             by_value = by_value - derivative(model, covariance, _as_many(datum, here), here)
             moved = _rows(by_value)
         opened[:, rows] = np.abs(moved @ steps).max(axis=1, initial=0.0).reshape(3, -1)
-        if covariance.root is not None:
-            spread = _rows(by_value) @ covariance.root
-            u[:, rows] = np.sqrt((spread**2).sum(axis=1)).reshape(3, -1)
-            if covariance.of_prior is not None:
-                by_prior = spread[:, columns - covariance.of_prior :]
-                u_prior[:, rows] = np.sqrt((by_prior**2).sum(axis=1)).reshape(3, -1)
+        for place, one in enumerate(known):
+            u[place, :, rows], u_prior[place, :, rows] = _u_and_prior(_rows(by_value), one)
     opened[opened <= OPEN_MOVES] = 0.0
-    u[opened > 0.0] = u_prior[opened > 0.0] = np.nan
-    return ToolUncertainty(u=u, u_prior=u_prior, open=opened)
+    u[:, opened > 0.0] = u_prior[:, opened > 0.0] = np.nan
+    counts = u[-1] > u[0]  # of both: what is written for a machine rests on the larger one
+    return ToolUncertainty(
+        u=np.where(counts, u[-1], u[0]),
+        u_prior=np.where(counts, u_prior[-1], u_prior[0]),
+        open=opened,
+        u_estimated=None if covariance.usual is None else u[0],
+    )
+
+
+def _u_and_prior(by_value: FloatArray, covariance: Covariance) -> tuple[FloatArray, FloatArray]:
+    """(3, m) each: u of tool points and the prior's part of it, NaN where not known; by_value: (3 m, n_values)."""
+    unknown = np.full((3, by_value.shape[0] // 3), np.nan)
+    if covariance.root is None:
+        return unknown, unknown
+    squares = (by_value @ covariance.root) ** 2
+    u = np.sqrt(squares.sum(axis=1)).reshape(3, -1)
+    if covariance.of_prior is None:
+        return u, unknown
+    return u, np.sqrt(squares[:, squares.shape[1] - covariance.of_prior :].sum(axis=1)).reshape(3, -1)
 
 
 def _of(tool: FloatArray, rows: slice) -> FloatArray:
@@ -146,11 +165,15 @@ def _as_many(position: FloatArray, tool: FloatArray) -> FloatArray:
 
 
 def curve_u(covariance: Covariance, component: str, positions: FloatArray) -> FloatArray:
-    """(n,): standard uncertainty of a curve at positions (n,), mm or deg. Raises ValueError where none is known."""
+    """(n,): standard uncertainty of a curve at positions (n,), mm or deg, the larger one where a covariance by usual
+    sizes stands beside the values. Raises ValueError where none is known.
+    """
     if covariance.root is None:
         raise ValueError("the noise of the readings is unknown")
-    basis = covariance.bases[covariance.components.index(component)]
-    return np.asarray(np.sqrt(((basis(positions).T @ covariance.root[covariance.rows_of(component)]) ** 2).sum(axis=1)))
+    by_value = covariance.bases[covariance.components.index(component)](positions).T
+    rows = covariance.rows_of(component)
+    roots = [one.root for one in (covariance, covariance.cautious) if one.root is not None]
+    return np.asarray(np.max([np.sqrt(((by_value @ root[rows]) ** 2).sum(axis=1)) for root in roots], axis=0))
 
 
 def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:

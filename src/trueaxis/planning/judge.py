@@ -84,8 +84,9 @@ def _error(name: str, unit: str, judged: Judged | None) -> ErrorReport:
     if judged is None:
         return ErrorReport(name=name, state="given", unit=unit)
     return ErrorReport(
-        name=name, state=judged.determined, unit=unit, u=judged.u, u_rms=judged.u_rms, prior=judged.prior_rms
-    )
+        name=name, state=judged.determined, unit=unit, u=judged.u, u_rms=judged.u_rms, prior=judged.prior_rms,
+        u_readings=judged.u_readings_rms, u_prior=judged.u_prior_rms,
+    )  # fmt: skip
 
 
 def _noise(observed: Observations, noise: Mapping[int, float]) -> tuple[NoiseReport, ...]:

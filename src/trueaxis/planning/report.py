@@ -34,7 +34,8 @@ class BlockReport:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorReport:
     """A component or location error, mm or rad as `unit` says. state: by what it will be determined; u, u_rms: largest
-    standard uncertainty and its root mean square over the travel; prior: what [prior] lets expect. None: given.
+    standard uncertainty and its root mean square over the travel; prior: what [prior] lets expect; u_readings, u_prior:
+    the parts of u_rms by the readings and by the prior. None: given.
     """
 
     name: str
@@ -43,6 +44,8 @@ class ErrorReport:
     u: float | None = None
     u_rms: float | None = None
     prior: float | None = None
+    u_readings: float | None = None
+    u_prior: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

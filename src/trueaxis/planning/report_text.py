@@ -9,9 +9,11 @@ from typing import Any
 from trueaxis.identification.words import (
     DETERMINED_BY,
     IN_COMBINATION,
+    RULE,
     combination_text,
     enumerated,
     in_small,
+    parts_of_u,
     small,
     tool_sentence,
 )
@@ -77,10 +79,11 @@ def _expectations(found: Expectations) -> list[str]:
     lines = [*_wrapped(tool_sentence(found.tool), "tool point:"), "", "noise:"]
     for one in found.noise:
         lines += _wrapped(_noise(one), "  ")
-    lines += ["", "error motions: standard uncertainty over the travel, RMS and largest; size expected by [prior], RMS"]
+    lines += ["", "error motions: standard uncertainty over the travel, RMS and largest (its parts and [prior], RMS)"]
     lines += _errors(found.components)
+    lines += _wrapped(RULE, "  ")
     if found.locations:
-        lines += ["", f"location errors: standard uncertainty; size expected by [prior]; {LEVEL}"]
+        lines += ["", f"location errors: standard uncertainty (its parts and [prior]); {LEVEL}"]
         lines[-1:] = _wrapped(lines[-1], "")
         lines += _errors(found.locations)
     lines += _effects(found.effects)
@@ -115,9 +118,12 @@ def _error(one: ErrorReport) -> str:
     assert one.u is not None
     assert one.u_rms is not None
     assert one.prior is not None
+    assert one.u_readings is not None
+    assert one.u_prior is not None
     u = _column(one.u, one.unit)
     parts = u if one.u == one.u_rms else f"{_column(one.u_rms, one.unit)} {u}"
-    return f"  {one.name:<8} {DETERMINED_BY[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
+    judged = parts_of_u(one.u_readings, one.u_prior, one.prior, one.unit)
+    return f"  {one.name:<8} {DETERMINED_BY[one.state]:<23}{parts} ({judged})"
 
 
 def _effects(found: Sequence[ExpectedEffect]) -> list[str]:

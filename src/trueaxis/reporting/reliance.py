@@ -27,10 +27,17 @@ def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
     for axis in dict.fromkeys(one.axis for one in beyond if one.by_prior):
         of_axis = [one for one in beyond if one.by_prior and one.axis == axis]
         found.append(
-            f"up to {max(one.count for one in of_axis)} of {total} positions lie beyond the measured range of {axis} "
+            f"{_beyond(of_axis, total)} beyond the measured range of {axis} "
             f"({_ranges(of_axis)}): the curves rest on [prior] of the spec there, and u says how far"
         )
     return found
+
+
+def _beyond(of_axis: Sequence[BeyondMeasured], total: int) -> str:
+    """`up to 2 of 4 positions lie`, where components have ranges of their own; else without `up to`."""
+    counts = {one.count for one in of_axis}
+    most = max(counts)
+    return f"{'up to ' * (len(counts) > 1)}{most} of {total} positions {'lies' if most == 1 else 'lie'}"
 
 
 def travel_sentences(beyond: Sequence[BeyondMeasured]) -> list[str]:
@@ -56,8 +63,17 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     """Where deviations rest on what nothing determines; largest: what it moves the tool by at the prior size, mm."""
     of = f" ({', '.join(names)})" if names else ""
     return (
-        f"at {points} of {total} positions the deviation rests on values that the readings did not determine{of}: "
-        f"errors of the expected size would move the tool by up to {_um(largest)} there; no u is given"
+        f"{_at_positions(points, total)} the deviation rests on values that neither readings nor a prior determine, "
+        f"and which are zero{of}: it is not known there, and has no u. One combination of them alone, of the sizes in "
+        f"[prior], would move the tool by up to {_um(largest)}"
+    )
+
+
+def usual_sentence(u: float, estimated: float) -> str:
+    """Where u counts by the usual sizes of instrument unknowns; u, estimated: RMS by both, mm."""
+    return (
+        f"u counts by the usual sizes of instrument unknowns ({_um(u)} RMS in one coordinate): by those that the "
+        f"readings make likely, from few values, it is {_um(estimated)}"
     )
 
 
@@ -96,16 +112,18 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
         of = " of the positions where it is known" if extent.unknown else ""
         prior = extent.largest_u_prior
         part = "" if not prior else f" (largest part from [prior] of the spec: {_um(prior)})"
+        usual, less = "", extent.largest_u_estimated
+        if less is not None:
+            usual = (
+                "; it counts by the usual sizes of instrument unknowns: by those that the readings make likely, from "
+                f"few values, it is {_um(less)}"
+            )
         found.append(
             f"largest standard uncertainty of the tool point {where}{of}, from home, in one coordinate: "
-            f"{_um(extent.largest_u)}{part}"
+            f"{_um(extent.largest_u)}{part}{usual}"
         )
     if extent.open:
-        found.append(
-            f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "
-            f"readings did not determine ({', '.join(extent.components) or 'location errors'}): errors of the expected "
-            f"size would move it by up to {_um(extent.largest_open)}"
-        )
+        found.append(f"{_at_positions(extent.open, extent.points)} {where} {_open_text(extent)}")
     return found
 
 
@@ -171,11 +189,24 @@ def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
     return found
 
 
+def _open_text(extent: UncertaintyExtent) -> str:
+    return (
+        "the tool point rests on errors that neither readings nor a prior determine, and which are zero "
+        f"({', '.join(extent.components) or 'location errors'}): it is not known there. One combination of them alone, "
+        f"of the sizes in [prior], would move it by up to {_um(extent.largest_open)}"
+    )
+
+
+def _at_positions(count: int, total: int) -> str:
+    return f"at all {total} positions" if count == total else f"at {count} of {total} positions"
+
+
 def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
     """Why a result is refused for its uncertainty; max_u: the limit that was asked for, mm, None: none was."""
     if max_u is not None:
         return above_sentence(extent.counted, max_u)
-    return f"{'; '.join(worth_nothing_sentences(extent))}; measure more, or take --accept-u, or a limit with --max-u"
+    reasons = [*worth_nothing_sentences(extent), *([_open_text(extent)] if extent.open else [])]
+    return f"{'; '.join(reasons)}. Measure more, identify with a prior, or take --accept-u, or a limit with --max-u"
 
 
 def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:

@@ -5,6 +5,7 @@ from trueaxis.machine.effects import ENDS
 from trueaxis.machine.machine import AXES
 from trueaxis.model.curve_json import HIGHEST_POWER, LARGEST_U, MOST_TERMS
 from trueaxis.model.errors import DETERMINED, FIT_STATES
+from trueaxis.model.origin import METHODS
 from trueaxis.schemas.pieces import (
     FIRST_SCHEMA,
     NUMBER,
@@ -50,6 +51,7 @@ def errors_schema() -> Schema:
                 "undetermined": array(
                     table({"combination": _TEXT, "parameters": array(_TEXT)}, ["combination", "parameters"])
                 ),
+                "origin": said(_origin(), "what identify made the values of"),
             },
             ["schema", "machine"],
             definitions={"curve": _curve()},
@@ -72,6 +74,24 @@ def _curve() -> Schema:
             table(values | {"u": array(_U)}, ["basis", "positions", "values"]),
         ]
     }
+
+
+def _origin() -> Schema:
+    text, count, truth = _TEXT, {"type": "number", "minimum": 0}, {"type": "boolean"}
+    noise = {"instrument": text, "value": count, "unit": text, "stated": truth}
+    size = {"unknown": text, "size": count, "usual": count, "unit": text, "values": count}
+    keys = {
+        "folder": text,
+        "method": among(METHODS),
+        "prior": truth,
+        "runs": count,
+        "readings": count,
+        "outliers": count,
+        "noise": array(table(noise, list(noise))),
+        "usual_sizes": array(table(size, list(size))),
+        "report": by_name(text),
+    }
+    return table(keys, list(keys))
 
 
 def _effect() -> Schema:
