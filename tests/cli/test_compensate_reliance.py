@@ -41,9 +41,12 @@ def published(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_what_is_open_is_said_and_refused_under_a_limit(
     tmp_path: Path, published: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert compensate(tmp_path, published) == 0
+    assert compensate(tmp_path, published) == 1
+    assert "take --accept-u" in capsys.readouterr().out
+    assert not (tmp_path / "out.nc").exists()
+    assert compensate(tmp_path, published, "--accept-u") == 0
     said = capsys.readouterr().out
-    assert "the tool point rests on components that the readings did not determine" in said
+    assert "the tool point rests on errors that neither readings nor a prior determine" in said
     assert "EZZ" in said
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["reliance"]["uncertainty"]["open"] > 0

@@ -55,7 +55,7 @@ def test_a_prediction_on_open_values_has_no_u_and_says_so(
     assert table["u_dx"][1] > 0.0  # along X itself
     assert table["u_dz"].null_count() == 3  # all but home
     said = capsys.readouterr().out
-    assert "at 3 of 4 positions the deviation rests on values that the readings did not determine" in said
+    assert "at 3 of 4 positions the deviation rests on values that neither readings nor a prior determine" in said
     assert "EZZ" in said
 
 

@@ -108,8 +108,11 @@ def test_what_no_reading_determined_is_refused_by_max_u(
     errors = values(tmp_path, undetermined=[{"combination": "EZX", "parameters": ["EZX"]}])
     assert export(name, tmp_path / "out", "--max-u", "1", machine=GANTRY, errors=errors) == 1
     shown = capsys.readouterr().out
-    assert "the readings did not determine (EZX)" in shown
+    assert "neither readings nor a prior determine (EZX)" in shown
     assert "not written: an uncertainty is not known" in shown
+    assert not (tmp_path / "out").exists()
+    assert export(name, tmp_path / "out", machine=GANTRY, errors=errors) == 1  # without a limit, too
+    assert "--accept-u" in capsys.readouterr().out
     assert not (tmp_path / "out").exists()
     assert export(name, tmp_path / "out", machine=GANTRY, errors=values(tmp_path)) == 0
     assert export(name, tmp_path / "out2", "--max-u", "0.0001", machine=GANTRY, errors=values(tmp_path)) == 1

@@ -5,11 +5,14 @@ from trueaxis.identification.misreadings import Contradicting
 
 def contradicting(count: int, *, zeros_free: float = 1.0, moved: float = 1e-3) -> Contradicting:
     runs = tuple(f"X{k}" for k in range(1, count + 1))
-    return Contradicting(runs=runs, times=12.0, zeros_free=zeros_free, moved=moved, u=2e-3)
+    return Contradicting(runs=runs, times=12.0, log_p=-16.0, zeros_free=zeros_free, moved=moved, u=2e-3)
 
 
 def test_ten_runs_are_listed_and_the_others_counted() -> None:
-    assert str(contradicting(1)).startswith("run X1 contradicts all others, by 12 standard deviations of what")
+    assert str(contradicting(1)).startswith(
+        "run X1 contradicts all others: the probability that noise takes a sound run as far from what these let expect "
+        "is 1e-07 (up to 12 standard deviations, in several directions together)"
+    )
     assert "X9 and X10 contradict all others" in str(contradicting(10))
     assert "X9, X10 and 2 more contradict all others" in str(contradicting(12))
 

@@ -8,7 +8,7 @@ from trueaxis.cli.arguments import file_to_write, tool_point
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.report import documented
+from trueaxis.jobs.report import documented, faults_of_page
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_errors, load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
@@ -43,7 +43,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Read, compare, write; raises InputError with the faults of every file."""
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--against": args.against}
-    found = overwritten(inputs, {"--out": args.out}, args.kernels)
+    found = [*faults_of_page(args.out, "--out"), *overwritten(inputs, {"--out": args.out}, args.kernels)]
     machine = read_machine(args.machine)
     now = before = None
     with gathering(found):

@@ -34,9 +34,9 @@ def component_line(one: ComponentReport) -> str:
         return f"  {one.name:<4} {known} {line}".rstrip()
     at = f"at {ErrorName(one.name).axis}{one.at:.4g},"
     there = "u not known" if one.u_there is None else f"u {small_size(one.u_there, one.unit)[0]:.3g}"
-    line = f"{value:9.4g} {unit:<4} {at:<10} {there + ';':<12}"
+    line = f"{value:9.4g} {unit:<4} {at:<11} {there + ';':<11}"
     if one.u is not None:
-        line += f" largest {with_u(one.u, one.unit)} {unit}"
+        line += f" largest {with_u(one.u, one.unit)} {unit:<4}"
     if one.u_readings_rms is not None and one.u_prior_rms is not None and one.prior_rms is not None:
         line += f" ({parts_of_u(one.u_readings_rms, one.u_prior_rms, one.prior_rms, one.unit)})"
     return f"  {one.name:<4} {known} {line}".rstrip().removesuffix(";")

@@ -74,25 +74,31 @@ class Fitted(Printed, Tabular):
 
     def picture(self) -> bytes:
         """Values and polynomials, before and after, as PNG."""
-        from trueaxis.reporting.pictures.curves import PriorCurve, curves_picture  # noqa: PLC0415  matplotlib takes long to import
+        from trueaxis.reporting.pictures.curves import DrawnCurve, curves_picture  # noqa: PLC0415  matplotlib takes long to import
 
         values, covariance = self.given.values, self.given.covariance
-        bars, by_prior = {}, {}
+        bars = {}
         for name, fit in self.fits.items():
             curve = values.motion_errors[name]
             if isinstance(curve, TableCurve) and curve.u:
                 bars[name] = np.array(curve.u)[np.array(curve.positions) != 0.0]
             elif isinstance(curve, LegendreCurve) and covariance.root is not None:
                 bars[name] = curve_u(covariance, name, fit.samples.positions)
-        for name in self.resting:
+        kept = [name for name, fit in self.fits.items() if not fit.after.powers]
+        drawn = {}
+        for name in (*self.resting, *kept):
             curve = values.motion_errors[name]
             if isinstance(curve, LegendreCurve):
                 at = np.linspace(curve.basis.low, curve.basis.high, DRAWN)
                 u = np.zeros(at.size) if covariance.root is None else curve_u(covariance, name, at)
-                by_prior[name] = PriorCurve(at, curve(at), u)
+                drawn[name] = DrawnCurve(at, curve(at), u)
+        by_prior = {name: one for name, one in drawn.items() if name in self.resting}
+        machine = self.errors.machine
+        travel = {} if machine is None else {name: machine.travel[ErrorName(name).axis] for name in self.fits}
         doubtful = () if self.uncertainty is None else self.uncertainty.components
         grey = [name for name in doubtful if name not in by_prior]
-        return curves_picture(self.fits, u=bars, undetermined=grey, by_prior=by_prior)
+        return curves_picture(self.fits, u=bars, undetermined=grey, by_prior=by_prior, travel=travel,
+                              kept={name: one for name, one in drawn.items() if name in kept})  # fmt: skip
 
 
 def fit(

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy.typing as npt
 
-from trueaxis.io.faults import InputError
+from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
@@ -13,6 +13,8 @@ from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.tables import ORIGIN, tool_points
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.certificate.content import Content, Known, content
+
+PAGES = (".html", ".htm")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -54,9 +56,19 @@ def report(
     file = None if out is None else Path(out)
     inputs = {"the spec": model.machine.source, **files_of(errors)}
     inputs |= {f"{name} of against": path for name, path in files_of(against).items()}
-    if found := overwritten(inputs, {"out": file}, kernels_of(model)):
+    wrong = [] if file is None else faults_of_page(file, "out")
+    if found := [*wrong, *overwritten(inputs, {"out": file}, kernels_of(model))]:
         raise InputError(found)
     return documented(now, before, (x, y, z), file)
+
+
+def faults_of_page(out: Path, place: str) -> list[Fault]:
+    """What is wrong with the name of the page; place: the argument that gives it."""
+    if out.suffix.lower() in PAGES:
+        return []
+    return [
+        Fault(place, "", f"{out.name} is no name of a page", "a name that ends in .html; a browser prints it as PDF")
+    ]
 
 
 def documented(now: Known, before: Known | None, tool: tuple[float, float, float], out: Path | None) -> Document:

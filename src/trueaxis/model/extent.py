@@ -32,7 +32,8 @@ class UncertaintyExtent:
     of it where the prior's part is not known) and of the deviation from home, which a compensation takes away, over
     the positions where the first is known, mm; both 0 where it is nowhere.
     largest_u_estimated: the largest u by sizes of instrument unknowns that readings make likely, mm, where `largest_u`
-    counts by the usual ones, see `ToolUncertainty`; None where there is one u alone.
+    counts by the usual ones, see `ToolUncertainty`; None where there is one u alone. undetermined: whether `open`
+    counts what the values themselves name as not determined, and not only values that somebody gave without a u.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -49,6 +50,7 @@ class UncertaintyExtent:
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
     largest_u_estimated: float | None = None
+    undetermined: bool = False
 
     @property
     def counted(self) -> float:
@@ -66,7 +68,7 @@ class UncertaintyExtent:
         """Whether nothing may be written: an uncertainty is above max_u, mm; without one, where the values are worth
         nothing, or rest on what neither readings nor a prior determine, and that is not accepted.
         """
-        return self.counted > max_u if max_u is not None else (self.worth_nothing or self.open > 0) and not accepted
+        return self.counted > max_u if max_u is not None else (self.worth_nothing or self.undetermined) and not accepted
 
 
 def uncertainty_extent(
@@ -94,6 +96,7 @@ def uncertainty_extent(
         u_readings_rms=_length_rms(of_readings[:, told]),
         correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
+        undetermined=bool(rests.any() and model.errors.undetermined),
         largest_u_estimated=None
         if uncertainty.u_estimated is None
         else float(np.nan_to_num(uncertainty.u_estimated).max(initial=0.0)),

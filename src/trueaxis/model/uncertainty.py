@@ -176,6 +176,18 @@ def curve_u(covariance: Covariance, component: str, positions: FloatArray) -> Fl
     return np.asarray(np.max([np.sqrt(((by_value @ root[rows]) ** 2).sum(axis=1)) for root in roots], axis=0))
 
 
+def location_u(covariance: Covariance, errors: ErrorValues, name: str) -> float:
+    """Standard uncertainty of a location error, mm or rad, the larger one where a covariance by usual sizes stands
+    beside the values; NaN where it is not known.
+    """
+    u = errors.u.get(name, np.nan)
+    usual = covariance.usual
+    if usual is None or usual.root is None or name not in usual.locations:
+        return u
+    row = sum(basis.count for basis in usual.bases) + usual.locations.index(name)
+    return float(max(u, np.sqrt((usual.root[[row]] ** 2).sum())))
+
+
 def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:
     """(n,): length of the deviation of tool points that the prior sizes of all errors let expect, mm.
 

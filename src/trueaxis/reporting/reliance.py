@@ -63,8 +63,8 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     """Where deviations rest on what nothing determines; largest: what it moves the tool by at the prior size, mm."""
     of = f" ({', '.join(names)})" if names else ""
     return (
-        f"{_at_positions(points, total)} the deviation rests on values that neither readings nor a prior determine, "
-        f"and which are zero{of}: it is not known there, and has no u. One combination of them alone, of the sizes in "
+        f"{_at_positions(points, total)} the deviation rests on values that neither readings nor a prior determine{of}"
+        f": it is not known there, and has no u. One combination of them alone, of the sizes in "
         f"[prior], would move the tool by up to {_um(largest)}"
     )
 
@@ -191,7 +191,7 @@ def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
 
 def _open_text(extent: UncertaintyExtent) -> str:
     return (
-        "the tool point rests on errors that neither readings nor a prior determine, and which are zero "
+        "the tool point rests on errors that neither readings nor a prior determine "
         f"({', '.join(extent.components) or 'location errors'}): it is not known there. One combination of them alone, "
         f"of the sizes in [prior], would move it by up to {_um(extent.largest_open)}"
     )
@@ -205,7 +205,7 @@ def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
     """Why a result is refused for its uncertainty; max_u: the limit that was asked for, mm, None: none was."""
     if max_u is not None:
         return above_sentence(extent.counted, max_u)
-    reasons = [*worth_nothing_sentences(extent), *([_open_text(extent)] if extent.open else [])]
+    reasons = [*worth_nothing_sentences(extent), *([_open_text(extent)] if extent.undetermined else [])]
     return f"{'; '.join(reasons)}. Measure more, identify with a prior, or take --accept-u, or a limit with --max-u"
 
 

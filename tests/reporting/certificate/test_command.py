@@ -1,5 +1,6 @@
 """trueaxis report: what it writes and refuses."""
 
+import json
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -55,6 +56,34 @@ def test_page_with_and_without_an_older_file(tmp_path: Path) -> None:
     assert "changed" in both
     assert main([*arguments, "--against", str(old)]) == 0
     assert out.read_bytes() == first
+
+
+def test_the_page_says_what_the_values_rest_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    origin = {
+        "folder": "shop", "method": "global", "prior": True, "runs": 12, "readings": 340, "outliers": 2,
+        "noise": [{"instrument": "laser", "value": 0.42, "unit": "um", "stated": False}],
+        "usual_sizes": [{"unknown": "ballbar centre", "size": 1e-4, "usual": 0.05, "unit": "mm", "values": 3}],
+        "report": {"machine serial": "77-1"},
+    }  # fmt: skip
+    now = written(tmp_path / "now.json", {"eps_xy": 3e-5}, EXX=EXX, ECY=ECY)
+    tree = json.loads(now.read_text())
+    now.write_text(json.dumps({**tree, "origin": origin, "fit": {"state": "converged"}}))
+    out = tmp_path / "r.html"
+    arguments = ["report", str(MACHINE), "--errors", str(now), "--kernels", str(KERNELS), "--out"]
+    assert main([*arguments, str(out)]) == 0
+    said = cells(out)
+    assert said[said.index("machine serial") + 1] == "77-1"
+    assert said[said.index("readings") + 1] == "340 in 12 runs, data folder shop; 2 left out as outliers"
+    assert "could not be judged" in said[said.index("fit") + 1]
+    assert "ballbar centre 0.1 um from 3 values (usual 50 um)" in said[said.index("instruments") + 1]
+    assert main([*arguments, str(tmp_path / "r.pdf")]) == 2
+    assert "ends in .html" in capsys.readouterr().err
+    assert not (tmp_path / "r.pdf").exists()
+    now.write_text(json.dumps({**tree, "origin": {**origin, "runs": -1, "folder": 3}}))
+    assert main([*arguments, str(out)]) == 2
+    faults = capsys.readouterr().err
+    assert "origin.runs" in faults
+    assert "origin.folder" in faults
 
 
 def test_five_axes(tmp_path: Path) -> None:

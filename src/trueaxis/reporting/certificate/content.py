@@ -11,7 +11,8 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Determined, Fit
 from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.origin import Origin
+from trueaxis.model.uncertainty import ToolUncertainty, curve_u, home_of, location_u, tool_uncertainty
 from trueaxis.model.volume import corners, middle_planes, volume_points
 
 FloatArray = NDArray[np.float64]
@@ -53,7 +54,9 @@ class ErrorLine:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OverVolume:
     """Length of the deviation of the tool point from home, mm: root mean square, 95 % of the points, the largest and
-    where; u_rms: root mean square of its standard uncertainty, NaN where it is not known anywhere.
+    where; u_rms: root mean square of its standard uncertainty, NaN where it is not known anywhere; u_prior_rms: of the
+    part that rests on the prior, u_estimated_rms: where u counts by the usual sizes of instrument unknowns, by those
+    that the readings make likely; both NaN where there is none. u_largest: the largest u of one coordinate.
     """
 
     rms: float
@@ -61,6 +64,9 @@ class OverVolume:
     largest: float
     largest_at: dict[str, float]
     u_rms: float
+    u_prior_rms: float
+    u_estimated_rms: float
+    u_largest: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -87,6 +93,7 @@ class Content:
     source: str
     against: str | None
     fit: Fit | None
+    origin: Origin | None
     tool: tuple[float, float, float]
     components: tuple[ErrorLine, ...]
     locations: tuple[ErrorLine, ...]
@@ -114,6 +121,7 @@ def content(now: Known, before: Known | None, tool: tuple[float, float, float]) 
         source=now.source,
         against=None if before is None else before.source,
         fit=model.errors.fit,
+        origin=model.errors.origin,
         tool=tool,
         components=tuple(_component(name, now, before) for name in model.components if _is_there(name, now, before)),
         locations=tuple(_location(name, now, before) for name in model.location_errors),
@@ -156,26 +164,19 @@ def _curve(name: ErrorName, of: Known, at: FloatArray) -> tuple[FloatArray, Floa
         return values, np.full(at.size, np.nan)
     rows = covariance.rows_of(name)
     basis = covariance.bases[covariance.components.index(name)](at)
-    u = np.linalg.norm(basis.T @ _dense(covariance, rows), axis=1)
+    u = curve_u(covariance, name, at)
     is_open = (basis.T @ covariance.open[rows] != 0.0).any(axis=1)
     return values, np.where(is_open, np.nan, u)
 
 
-def _dense(covariance: Covariance, rows: slice) -> FloatArray:
-    root = covariance.root
-    assert root is not None
-    part = root[rows]
-    return np.asarray(part if isinstance(part, np.ndarray) else part.toarray())
-
-
 def _location(name: str, now: Known, before: Known | None) -> ErrorLine:
     errors = now.model.errors
-    value, u = errors.parameters.get(name, 0.0), errors.u.get(name, np.nan)
+    value, u = errors.parameters.get(name, 0.0), location_u(now.covariance, errors, name)
     change = None
     if before is not None:
         old = before.model.errors
         difference = value - old.parameters.get(name, 0.0)
-        ratio = _ratio(np.array([difference]), np.array([np.hypot(u, old.u.get(name, np.nan))]))
+        ratio = _ratio(np.array([difference]), np.array([np.hypot(u, location_u(before.covariance, old, name))]))
         change = Change(rms=difference, in_u=float(ratio[0]), at=None)
     return ErrorLine(
         name=name, value=value, u=u, rms=abs(value), at=None, unit=now.model.machine.parameter_unit(name),
@@ -194,20 +195,32 @@ def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, flo
     inside = volume_points(model.travel, model.axes, POINTS)
     positions = np.hstack([inside, corners(model.travel, model.axes)])
     moved = deviations(model, positions, tool)
-    squares = _u_squares(now, inside, tool)
+    known = [_uncertainty(now, inside, tool)]
     if before is not None:
         moved = moved - deviations(before.model, positions, tool)
-        squares = squares + _u_squares(before, inside, tool)
+        known.append(_uncertainty(before, inside, tool))
     length = np.linalg.norm(moved, axis=0)
     worst = int(np.argmax(length))
-    u = float(np.sqrt(np.nanmean(squares))) if np.isfinite(squares).any() else float("nan")
+    u = np.sqrt(np.sum([one.u**2 for one in known], axis=0))
+    by_prior = np.sqrt(np.sum([one.u_prior**2 for one in known], axis=0))
+    less = [one.u if one.u_estimated is None else one.u_estimated for one in known]
+    by_both = any(one.u_estimated is not None for one in known)
     return OverVolume(
         rms=_rms(length[:POINTS]),
         within=float(np.quantile(length[:POINTS], 0.95)),
         largest=float(length[worst]),
         largest_at=dict(zip(model.axes, positions[:, worst].tolist(), strict=True)),
-        u_rms=u,
+        u_rms=_length_rms(u),
+        u_prior_rms=_length_rms(by_prior),
+        u_estimated_rms=_length_rms(np.sqrt(np.sum(np.square(less), axis=0))) if by_both else float("nan"),
+        u_largest=float(np.nanmax(u)) if np.isfinite(u).any() else float("nan"),
     )
+
+
+def _length_rms(vectors: FloatArray) -> float:
+    """Of vectors (3, n), where they are known; NaN where none is."""
+    squares = np.sum(vectors**2, axis=0)
+    return float(np.sqrt(np.nanmean(squares))) if np.isfinite(squares).any() else float("nan")
 
 
 def deviations(model: MachineModel, positions: FloatArray, tool: tuple[float, float, float]) -> FloatArray:
@@ -218,12 +231,11 @@ def deviations(model: MachineModel, positions: FloatArray, tool: tuple[float, fl
     return np.asarray(there - home)
 
 
-def _u_squares(of: Known, positions: FloatArray, tool: tuple[float, float, float]) -> FloatArray:
-    """(n,): sum of the squares of the standard uncertainties of the coordinates, mm^2, NaN where one is not known."""
+def _uncertainty(of: Known, positions: FloatArray, tool: tuple[float, float, float]) -> ToolUncertainty:
+    """Of the tool point from home, without effects."""
     point = np.array(tool)[:, np.newaxis]
     bare = of.model.with_values(replace(of.model.errors, effects=()))
-    found = tool_uncertainty(bare, of.covariance, positions, point, datum=home_of(of.model))
-    return np.asarray(np.sum(found.u**2, axis=0))
+    return tool_uncertainty(bare, of.covariance, positions, point, datum=home_of(of.model))
 
 
 def _slices(now: Known, tool: tuple[float, float, float]) -> tuple[Slice, ...]:

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from trueaxis.effects.kind import Kind, Parameter
 from trueaxis.model.effect_values import EffectValues
+from trueaxis.reporting.certificate.basis import basis_table
 from trueaxis.reporting.certificate.content import Content, ErrorLine, OverVolume, Slice
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.picture import Picture
@@ -36,6 +37,7 @@ def certificate(content: Content, kinds: dict[str, Kind]) -> str:
         title=content.title,
         facts=_facts(content),
         warnings=_warnings(content),
+        basis=basis_table(content),
         volume=_volume(content),
         tables=[
             one
@@ -56,8 +58,6 @@ def _facts(content: Content) -> list[tuple[str, str]]:
     found = [("error values", Path(content.source).name), ("tool point", f"{tool} mm in the tool frame")]
     if content.against is not None:
         found.append(("compared with", Path(content.against).name))
-    if content.fit is not None and content.fit.chi2 is not None:
-        found.append(("fit to its readings", f"chi-square per degree of freedom {content.fit.chi2:.3g}"))
     return found
 
 
@@ -76,19 +76,23 @@ def _warnings(content: Content) -> list[str]:
 
 
 def _volume(content: Content) -> Table:
-    head = ("tool point from home", "RMS", "95 % below", "largest", "at", "u, RMS")
+    head = ("tool point from home", "RMS", "95 % below", "largest", "at", "u, RMS", "of it by the prior", "largest u")
     rows = [_of_volume("deviation", content.volume)]
     if content.changed is not None:
         rows.append(_of_volume("change", content.changed))
     return Table(
-        caption="Length of the deviation over the volume", head=head, rows=tuple(rows), numbers=frozenset({1, 2, 3, 5})
+        caption="Length of the deviation over the volume",
+        head=head,
+        rows=tuple(rows),
+        numbers=frozenset({1, 2, 3, 5, 6, 7}),
     )
 
 
 def _of_volume(name: str, one: OverVolume) -> tuple[str, ...]:
     at = " ".join(f"{axis}{value:g}" for axis, value in one.largest_at.items())
     sizes = (quantity(value, "mm") for value in (one.rms, one.within, one.largest))
-    return (name, *sizes, at, quantity(one.u_rms, "mm") if math.isfinite(one.u_rms) else DASH)
+    known = (one.u_rms, one.u_prior_rms, one.u_largest)
+    return (name, *sizes, at, *(quantity(u, "mm") if math.isfinite(u) else DASH for u in known))
 
 
 def _errors(caption: str, lines: Sequence[ErrorLine], compared: bool) -> Table:
@@ -151,7 +155,8 @@ def _notes(content: Content) -> list[str]:
     found = [
         "E, direction, axis: ISO 230-1; values are actual minus ideal. u: standard uncertainty; 95 % lie within 2 u. "
         "Positions: mm, deg.",
-        "Tool point: deviation in the workpiece frame minus that at home, where work offsets are touched off.",
+        "Tool point: deviation in the workpiece frame minus that at home, where work offsets are touched off. "
+        "Largest u: of one coordinate.",
     ]
     if content.effects:
         found.append(

@@ -1,0 +1,67 @@
+"""The block of the document that says what its values rest on."""
+
+import math
+
+from trueaxis.identification.words import small
+from trueaxis.model.errors import Fit
+from trueaxis.model.origin import Origin
+from trueaxis.reporting.certificate.content import Content
+from trueaxis.reporting.diagnosis.quantity import quantity
+from trueaxis.reporting.diagnosis.tables import Table
+
+CAPTION = "What these values rest on"
+NOT_SAID = "the error values do not say it"
+
+
+def basis_table(content: Content) -> Table:
+    """Readings, noise, fit, prior, sizes of instrument unknowns, and what setup.toml says of the measurement."""
+    origin = content.origin
+    rows = [("readings", NOT_SAID)] if origin is None else _of_readings(origin)
+    rows.append(("fit", fit_text(content.fit)))
+    if origin is not None:
+        prior = "errors of the sizes of [prior] are expected; u holds how far"
+        none = "none: what the readings do not determine is zero, and has no u"
+        rows.append(("prior", prior if origin.prior else none))
+        rows += _usual(content, origin)
+    return Table(caption=CAPTION, head=("", ""), rows=tuple(rows), numbers=frozenset())
+
+
+def fit_text(fit: Fit | None) -> str:
+    """How the identification ended, and whether its residuals could be judged."""
+    if fit is None:
+        return NOT_SAID
+    if fit.chi2 is None:
+        judged = "the residuals could not be judged: no noise was stated, and too little is repeated"
+        return f"{fit.state}; {judged}" if fit.state == "converged" else fit.state
+    return f"{fit.state}, chi-square per degree of freedom {fit.chi2:.3g}"
+
+
+def _of_readings(origin: Origin) -> list[tuple[str, str]]:
+    out = f"; {origin.outliers} left out as outliers" if origin.outliers else ""
+    noise = [
+        f"{one.instrument} {one.value:.3g} {one.unit} ({'stated' if one.stated else 'estimated from the readings'})"
+        for one in origin.noise
+    ]
+    rows = [(key, text) for key, text in origin.report.items()]
+    rows.append(("readings", f"{origin.readings} in {origin.runs} runs, data folder {origin.folder}{out}"))
+    rows.append(("method", f"identify --method {origin.method}"))
+    return [*rows, ("noise of a reading", "; ".join(noise) or "not known")]
+
+
+def _usual(content: Content, origin: Origin) -> list[tuple[str, str]]:
+    """Why u counts by the usual sizes of instrument unknowns; nothing where it does not."""
+    if not origin.usual_sizes:
+        return []
+    sizes = [
+        f"{one.unknown} {small(one.size, one.unit)} from {one.values} values (usual {small(one.usual, one.unit)})"
+        for one in origin.usual_sizes
+    ]
+    less = content.volume.u_estimated_rms
+    by_these = f": {quantity(less, 'mm')} RMS of the tool point by these" if math.isfinite(less) else ""
+    return [
+        (
+            "instruments",
+            f"the readings make these unknowns far smaller than usual: {'; '.join(sizes)}. u on this page is the "
+            f"larger one of that by the usual sizes and that by these{by_these}",
+        )
+    ]
