@@ -19,7 +19,7 @@ def basis_table(content: Content) -> Table:
     rows = [("readings", NOT_SAID)] if origin is None else _of_readings(origin)
     rows.append(("fit", fit_text(content.fit)))
     if origin is not None:
-        prior = "errors of the sizes of [prior] are expected; u holds how far"
+        prior = "errors of the sizes of [prior] are expected, as the readings correct them"
         none = "none: what the readings do not determine is zero, and has no u"
         rows.append(("prior", prior if origin.prior else none))
         rows += _usual(content, origin)
