@@ -71,7 +71,8 @@ TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F",
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
 ASIDE = [  # what moves nothing, and what it is next to
     "S500 M3", "M3 S500", "M5", "N4 M9", "M5 M9", "S1000.", "S1 S2", "M8 F90", "F90 M8", "G90 G94 G17", "N3 G17 G90",
-    "G54 G90", "G90 G91", "G21 G40 G64", "G17 G18", "G1 M8", "G0 G1", "G1 S300 M3", "M3 M30", "M03.5", "M7 M8 (both)",
+    "G54 G90", "G90 G91", "G21 G40 G64", "G17 G18", "G1 M8", "G0 G1", "G1 S300 M3", "M3 M30", "T3",
+    "T1 M6", "M03.5", "M7 M8 (both)",
     "G94 M3 S100 G90", "G61", "G59", "G55 M3", "M", "S-5", "T1", "T2 M6", "G4 P1", "S2e3", "m8", "s100m3", "G95 F.1",
 ]  # fmt: skip
 OTHER = st.sampled_from(

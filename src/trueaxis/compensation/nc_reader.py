@@ -145,6 +145,7 @@ class NcReader:
         self._tools.change(number, meaning)
         self._modes.known_numbers(number, meaning)
         self._tools.length(number, meaning)
+        state.due = self._tools.due
         items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)
         items += self._frames.select(number, meaning)
         if state.point_control and (meaning.in_machine_coordinates or meaning.data_code in _MACHINE_DATA):

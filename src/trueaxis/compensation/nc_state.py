@@ -177,7 +177,7 @@ class NcState:
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; at_initial_level: G98; spindle: M3 or M4 while it turns. shift: position minus
     word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows it.
-    point_control: whether positions are those of the tip.
+    point_control: whether positions are those of the tip. due: whether something is to be noted at the next motion.
     """
 
     axes: tuple[str, ...]
@@ -201,6 +201,7 @@ class NcState:
     shift: tuple[float, ...] = ()
     gap: str = " "
     point_control: bool = False
+    due: bool = False
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
@@ -221,9 +222,8 @@ class NcState:
     @property
     def goes_on_plainly(self) -> bool:
         """Whether a block of axis words alone is a move, or a hole, from where all axes are known."""
-        return (
-            self.commanded.linear_complete and None not in self.position and self.feed_mode != "time" and not self.ended
-        )
+        known = self.commanded.linear_complete and None not in self.position
+        return known and self.feed_mode != "time" and not self.ended and not self.due
 
     @property
     def feed_in_minutes(self) -> float:

@@ -74,6 +74,11 @@ class ToolChanges:
             self.remedy = SELECTS_REMEDY if by_tool_word else ""
         return by_m6 or by_tool_word
 
+    @property
+    def waiting(self) -> bool:
+        """Whether a note is due unless M6 comes before the next motion."""
+        return self._waiting is not None
+
 
 class ToolReader:
     """Follows the tool of one program and its length in its state; remedy: as of ToolChanges."""
@@ -94,6 +99,11 @@ class ToolReader:
     def remedy(self) -> str:
         """What else would be right where the last change was one by T."""
         return self._changes.remedy
+
+    @property
+    def due(self) -> bool:
+        """Whether something may be to be noted at the next motion."""
+        return self._changed or self._changes.waiting
 
     def moves(self, meaning: Meaning) -> bool:
         """Whether the tool change of a block may move axes."""

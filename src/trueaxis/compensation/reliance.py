@@ -46,7 +46,8 @@ class _Cells:
         """With what was visited of the same cell together; of equal corrections the first stays."""
         if not self.keys.size:
             return self
-        few = self._neighbours_together()  # as a program stays a while in each cell
+        stays = 2 * np.count_nonzero(np.diff(self.keys)) < self.keys.size  # a while in each cell, as most programs do
+        few = self._neighbours_together() if stays else self
         order = np.argsort(few.keys, kind="stable")
         return _Cells(
             keys=few.keys[order], position=columns_of(few.position, order), correction=few.correction[order],
