@@ -67,7 +67,10 @@ LEADS = st.sampled_from(
         "N 5 ",
     ]
 )
-TAILS = st.sampled_from(["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3"])
+TAILS = st.sampled_from(
+    ["", "", " F300", "F300.", " F.5", "  F450 ", " ", " F", " F1e3", " F-3", " F2F3", " F9 S100", " M8", " G90",
+     " X1.", "Y2.5F3", "F7 Z1."]
+)  # fmt: skip
 PLAIN = st.one_of(AXES_ALONE, st.tuples(LEADS, AXES_ALONE, TAILS).map("".join))
 ASIDE = [  # what moves nothing, and what it is next to
     "S500 M3", "M3 S500", "M5", "N4 M9", "M5 M9", "S1000.", "S1 S2", "M8 F90", "F90 M8", "G90 G94 G17", "N3 G17 G90",
