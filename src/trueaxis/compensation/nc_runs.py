@@ -74,11 +74,13 @@ class RunReader:
         moves = read.lines.first[first + 1] > read.lines.first[first]
         if first < read.none_before or not moves or not_to_name(state) is None:
             return None
-        end = int(read.others[np.searchsorted(read.others, first)])
+        end = self._plain_up_to(first)
         if state.cycle is not None:
             return self._holes(number, first, end) if state.goes_on_plainly else None
-        last = self._alike(first, end) if end - first >= FEWEST else first
-        last = min(last, first + read.ahead)
+        if end - first < FEWEST:
+            read.none_before = end
+            return None
+        last = min(self._alike(first, end), first + read.ahead)
         if last - first < FEWEST:
             read.none_before = max(last, first + 1)
             return None
@@ -134,9 +136,15 @@ class RunReader:
             wrong |= moves & (motion > 1) & bool(set(plane) & set(rows))
         begins_otherwise = lines.code[first] < 0 and state.motion in (0, 1) and state.in_force != state.motion
         wrong[0] |= not moves[0] or begins_otherwise
-        modes = lines.modes.of(first, last)
-        wrong[modes.line[~np.isin(modes.number, [*self._in_force()])]] = True
         return first + int(np.argmax(wrong)) if wrong.any() else last
+
+    def _plain_up_to(self, first: int) -> int:
+        """Up to which line, from this one on, all are plain and change no mode."""
+        read = self._read
+        end = int(read.others[np.searchsorted(read.others, first)])
+        modes = read.lines.modes.of(first, end)
+        changing = np.flatnonzero(~np.isin(modes.number, [*self._in_force()]))
+        return first + int(modes.line[changing[0]]) if changing.size else end
 
     def _start(self) -> FloatArray:
         """Where the axes stand, or are taken to stand, (n_axes, 1)."""
