@@ -251,3 +251,13 @@ def test_the_length_of_the_tool_before_is_said(bench: Bench, blocks: str, line: 
     said = f"line {line}: tool 2 came with a tool change and no G43 since: the length of tool 1 stays in force"
     assert (said in str(bench.report)) == bool(line)
     assert ("stays in force" in str(bench.report)) == bool(line)
+
+
+@pytest.mark.parametrize("blocks", [1, 40])
+@pytest.mark.parametrize("feed", ["G1 F100 Z{}.", "Z{}.5", "g1 z{}."])
+def test_a_motion_with_the_length_of_the_tool_before_is_noted(bench: Bench, feed: str, blocks: int) -> None:
+    """Alone or as the first of many, which are read together."""
+    head = "G21 G90 G94\nT1 M6\nG43 H1 G0 X0. Y0. Z50.\nG1 X5. F100\nT2 M6\n"
+    after = "\n".join(feed.format(k + 1) for k in range(blocks))
+    bench.run(f"{head}{after}\nG43 H2 Z9.\nM30\n", XyzMachine(), tools=TABLE, pass_m=(6,), offsets=NONE)
+    assert [note for note in bench.report.notes if "line 6" in note and "tool 2" in note]
