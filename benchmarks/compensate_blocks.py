@@ -36,6 +36,7 @@ PROGRAMS = {
     "half": "lines and arcs by turns, by I J and by R",
     "holes": "G81, 200 holes by X and Y alone in each",
     "pecks": "G83 of five pecks, 20 holes by X and Y alone in each",
+    "laser": "blocks of X Y; Z never gets a position",
     "cam": "tool paths of 30 to 300 blocks as CAM systems write them: a head of S, M3, M8, G90 G17, G0 and the plunge, "
     "arcs in and out and at corners, three feeds, G0 up and M9",
 }
@@ -45,7 +46,8 @@ PATHS = (30, 300)  # blocks of a tool path
 def write_program(path: Path, blocks: int, program: str) -> None:
     """A program of `PROGRAMS` over a wavy surface, in rows of short chords."""
     with path.open("w", newline="\n") as file:
-        file.write("%\nG21 G17 G90 G94\nG0 X100. Y100. Z120.\nG1 Z100. F2000.\n")
+        height = ("", "") if program == "laser" else (" Z120.", " Z100.")
+        file.write(f"%\nG21 G17 G90 G94\nG0 X100. Y100.{height[0]}\nG1{height[1]} F2000.\n")
         file.writelines(tool_paths(blocks - 5) if program == "cam" else surface(blocks - 5, program))
         file.write("M30\n")
 
@@ -105,6 +107,8 @@ def block(program: str, number: int, place: tuple[float, float, float], before: 
         text = f"G3 {line} I{i:.4f} J{j:.4f}\n"
     elif program == "half":
         text = f"G1 {text}"
+    elif program == "laser":
+        text = f"{line}\n"
     elif program == "holes":
         text = f"G81 {line} Z100. R120. F500.\n" if number % 200 == 0 else f"{line}\n"
     elif program == "pecks":
