@@ -14,6 +14,7 @@ from trueaxis.compensation.offsets import Offsets, Range, offset_of_option, read
 from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensation.tools import read_tools
+from trueaxis.compensation.touched_off import TouchedOff, touched_off_of_option
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
@@ -62,9 +63,11 @@ sets their step. Where the tool axis is within 0.57 deg of parallel to a rotary 
 corrected in one direction without a large turn: the rotary axis then keeps its programmed position, and the report
 names the lines.
 
-exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel, at whose end
-their words stop (see the report), or nothing was written: refused for its uncertainty or by --max-correction; 2 the
-input is wrong and nothing was written."""
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
+at whose end their words stop, or the program moves nothing: PROGRAM is written, and the second line says why it is not
+good; or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
+`PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong and nothing was written. A rapid in machine
+coordinates (G53 G0 Z0.) that stops at the end of travel is a note."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -160,11 +163,19 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
 def _add_frames(parser: argparse.ArgumentParser) -> None:
     """Work offsets and tools of the control."""
     parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
-                        help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
-                        "known only roughly: the report says what 10 mm change. A range like X0:500 gives the worst "
-                        "case")  # fmt: skip
+                        help="machine position of the zero of a work offset, mm and deg; once for each. A few mm off "
+                        "change little, and the report says how much; --touched-off says how it was set. A range like "
+                        "X0:500 asks for the worst case")  # fmt: skip
     parser.add_argument("--offsets", type=Path, metavar="FILE",
                         help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
+    parser.add_argument("--touched-off", type=_touched_off, action="append", default=[],
+                        metavar="G54[=X..,Y..,Z..,L..]",
+                        help="a work offset that was touched off without compensation: the part is then right against "
+                        "its datum. X.. Y.. Z..: where the axes stood, if not at its zero; L: length of the probe. "
+                        "Once for each; G54:Z=.. for one direction")  # fmt: skip
+    parser.add_argument("--keep-g53", action="store_true",
+                        help="leave motions in machine coordinates (G53, G153, SUPA, M91) as they are: places that "
+                        "were taught without compensation, such as tool racks; G28 and G30 always are")  # fmt: skip
     parser.add_argument("--tools", type=Path, metavar="FILE",
                         help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
                         "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
@@ -218,6 +229,13 @@ def _offset(text: str) -> tuple[str, dict[str, Range]]:
         raise argparse.ArgumentTypeError(str(problem)) from None
 
 
+def _touched_off(text: str) -> TouchedOff:
+    try:
+        return touched_off_of_option(text)
+    except ValueError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from None
+
+
 def _settings(args: argparse.Namespace) -> Settings:
     try:
         return Settings(**{field.name: getattr(args, field.name) for field in fields(Settings) if field.name in args})
@@ -241,6 +259,7 @@ def run(args: argparse.Namespace) -> int:
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
     with gathering(found):
         args.tools = None if args.tools is None else read_tools(args.tools)
+    args.touched_off = tuple(args.touched_off)
     with gathering(found):
         settings = _settings(args)
     model = covariance = None

@@ -100,6 +100,11 @@ class CycleWriter:
             self.say(self._last)
         return self._items
 
+    def alone(self) -> list[Item]:
+        """What stays of a block whose cycle does nothing."""
+        text = (self._lead.rstrip() + self._comment + self._last).strip()
+        return [f"{text}{self._eol}"] if text else []
+
     def say(self, text: str) -> None:
         """A block that moves nothing."""
         self._items.append(f"{self._again}{text}{self._eol}")

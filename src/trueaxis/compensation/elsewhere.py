@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing, of_points
+from trueaxis.compensation.datum import Datum, Zero
 from trueaxis.compensation.logs import Running, Summary
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.path import Held, Path, Places, alike
@@ -192,7 +193,7 @@ _STEP = 1.0  # mm, deg: either side, for the slope
 class OffsetUse:
     """One work offset in a program. value, half_range: by axis, mm and deg, as taken. slopes: largest change of the
     words per mm (deg) of each axis' offset, mm, over the places of the program. change: largest over the range; None
-    where there is no range. leaves_travel: whether positions leave the travel at an end of the range.
+    where there is no range. leaves_travel: whether positions leave the travel at an end of the range. zero: its datum.
     """
 
     system: str
@@ -201,22 +202,24 @@ class OffsetUse:
     slopes: dict[str, float]
     change: float | None
     leaves_travel: bool
+    zero: Zero
 
     def __str__(self) -> str:
         parts = [
             f"{axis}{value:.9g}" + (f" +/- {self.half_range[axis]:.9g}" if self.half_range[axis] else "")
             for axis, value in self.value.items()
         ]
-        slopes = ", ".join(f"{10e3 * slope:.2f} um in {axis}" for axis, slope in self.slopes.items())
+        slopes = ", ".join(f"{10e3 * slope:.2f} um for {axis}" for axis, slope in self.slopes.items())
+        rotary = " (deg)" if set(self.value) - set("XYZ") else ""
         text = (
-            f"{self.system} is taken at {' '.join(parts)} in machine coordinates: 10 mm (deg) elsewhere changes the "
-            f"words by at most {slopes}"
+            f"{self.system} is taken at {' '.join(parts)} in machine coordinates; if its zero is 10 mm{rotary} "
+            f"elsewhere, compensated positions change by at most {slopes} (length of the vector)"
         )
         if self.change is not None:
             text += f"; within the range by at most {1e3 * self.change:.2f} um, which is added to the errors above"
         if self.leaves_travel:
             text += "; positions leave the travel at an end of the range"
-        return text
+        return f"{text}\n  {self.zero.sentence(self.system)}"
 
 
 def offset_use(
@@ -225,12 +228,14 @@ def offset_use(
     system: str,
     value: Mapping[str, float],
     spread: FloatArray,
+    datum: Datum,
 ) -> OffsetUse:
     """What a work offset counts in a program.
 
     places: positions (n_axes, n), mm and deg, that the program visits under it, with the tool point (3, 1) of each;
     value: by axis; spread: (n_axes,), half of its range.
     """
+    moves = datum.slopes(model, value)  # of the true zero, where it was touched off: it takes the words along
     slopes = dict.fromkeys(model.axes, 0.0)
     change, leaves = 0.0, False
     low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T[:, :, np.newaxis]
@@ -240,14 +245,15 @@ def offset_use(
             before[row] = np.maximum(before[row] - _STEP, low[row])
             after[row] = np.minimum(after[row] + _STEP, high[row])
             way = np.maximum(after[row] - before[row], 1e-9)
-            slope = _apart(model, after, before, tool_point) / way
+            slope = _apart(model, after, before, tool_point, moves[row] * way) / way
             slopes[axis] = max(slopes[axis], float(slope.max(initial=0.0)))
         few = positions[:, :: -(-positions.shape[1] // _MOST_POSITIONS) or 1]
         for offset in _within(spread):
             there = few + offset[:, np.newaxis]
             inside = np.clip(there, low, high)
             leaves |= bool((np.abs(there - inside) > 1e-9).any())
-            change = max(change, float(_apart(model, inside, few, tool_point).max(initial=0.0)))
+            shifted = datum.moved(model, value, offset)
+            change = max(change, float(_apart(model, inside, few, tool_point, shifted).max(initial=0.0)))
     half_range = dict(zip(model.axes, spread.tolist(), strict=True))
     return OffsetUse(
         system=system,
@@ -256,6 +262,7 @@ def offset_use(
         slopes=slopes,
         change=change if spread.any() else None,
         leaves_travel=leaves,
+        zero=datum.zero(model, value),
     )
 
 
@@ -271,8 +278,13 @@ def _within(spread: FloatArray) -> Iterator[FloatArray]:
         yield offset
 
 
-def _apart(model: ErrorModel, here: FloatArray, there: FloatArray, tool_point: FloatArray) -> FloatArray:
-    """Distance of the corrections at two positions, (n,), mm."""
+def _apart(
+    model: ErrorModel, here: FloatArray, there: FloatArray, tool_point: FloatArray, datum: FloatArray
+) -> FloatArray:
+    """Distance of the corrections at two positions, (n,), mm; datum: (3, 1) or (3, n), by how much further the true
+    zero lies off for the first.
+    """
     rows = list(linear_rows(model.axes))
-    words = [model.correction(at, -model.deviation(at, tool_point))[rows] for at in (here, there)]
+    off_here, off_there = (model.deviation(at, tool_point) for at in (here, there))
+    words = [model.correction(at, -off)[rows] for at, off in ((here, off_here - datum), (there, off_there))]
     return np.asarray(np.sqrt(((words[0] - words[1]) ** 2).sum(axis=0)))

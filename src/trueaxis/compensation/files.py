@@ -37,6 +37,8 @@ from trueaxis.compensation.reliance import Judge
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import home_of
+from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
+from trueaxis.compensation.touched_off import faults_of as touched_off_faults
 from trueaxis.compensation.via_linuxcnc import unrolled
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
@@ -194,6 +196,11 @@ def compensated(
     if via_linuxcnc is not None:
         if language == "apt" or settings.dialect not in (None, "linuxcnc"):
             raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
+        if settings.touched_off:
+            raise InputError(
+                [Fault(TOUCHED_OFF, "", "does not go with --via-linuxcnc, which writes machine coordinates",
+                       "set the work offsets with compensated positions")]
+            )  # fmt: skip
         made = unrolled(
             program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
             settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
@@ -233,6 +240,8 @@ def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Setti
     _check_start(settings, model)
     if language == "apt" and (settings.offsets.systems or settings.tools is not None):
         raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
+    if found := touched_off_faults(settings.touched_off, model, settings.offsets):
+        raise InputError(found)
     home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
     linear = [axis for axis in model.axes if axis in "XYZ"]
     if settings.words != "nearest" and len(linear) != 3:

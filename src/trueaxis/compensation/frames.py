@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.offsets import Offsets, half_width, middle
 
 Id = tuple[object, ...]
@@ -26,7 +27,7 @@ class Frames:
     reset: list[float] = field(init=False)
     length: list[float] = field(init=False)
     stored: list[float] = field(init=False)
-    unsaid: set[str] = field(default_factory=set)  # work offsets of which not all axes are known
+    unsaid: dict[str, str] = field(default_factory=dict)  # by work offset: linear axes of which it has no value
     _written: dict[tuple[str, int], int] = field(default_factory=dict)  # how often G10 has written a value
     _resets: list[int] = field(init=False)  # which G92 has set an axis, 0: none
     _stored_resets: list[int] = field(init=False)
@@ -38,8 +39,8 @@ class Frames:
                 (middle(of_axis), half_width(of_axis))
                 for of_axis in (values.get(axis, (0.0, 0.0)) for axis in self.axes)
             ]
-            if set("XYZ") & set(self.axes) - set(values):
-                self.unsaid.add(name)
+            if unsaid := "".join(axis for axis in LINEAR if axis in self.axes and axis not in values):
+                self.unsaid[name] = unsaid
         self.system = self.offsets.first or ("" if self.tables else None)
         self.local, self.length = [0.0] * len(self.axes), [0.0] * len(self.axes)
         self.reset = [self.offsets.shift.get(axis, 0.0) for axis in self.axes]
@@ -92,10 +93,11 @@ class Frames:
         return tuple(half for _, half in self.table())
 
     def write(self, system: str, values: Mapping[int, tuple[float, float]]) -> None:
-        """G10: values and half ranges of a work offset, by row; axes of one that was not known are 0."""
+        """G10: values and half ranges of a work offset, by row."""
         table = self.table(system).copy()
-        if system not in self.tables and len(values) < sum(axis in "XYZ" for axis in self.axes):
-            self.unsaid.add(system)
+        unsaid = self.unsaid.get(system, LINEAR if system not in self.tables else "")
+        named = {self.axes[row] for row in values}
+        self.unsaid[system] = "".join(axis for axis in unsaid if axis in self.axes and axis not in named)
         for row, value in values.items():
             table[row] = value
             self._written[system, row] = self._written.get((system, row), 0) + 1

@@ -3,12 +3,15 @@ path function do to positions; TOOL CALL and TOOL DEF.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.moves import Notes
 from trueaxis.compensation.nc_lexer import NUMBER, decimals_of
-from trueaxis.compensation.settings import MM_PER_INCH
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 from trueaxis.compensation.tools import ToolTable
 
 _HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")
@@ -22,6 +25,8 @@ _CODE = re.compile(r"M[ \t]*+(\d++)(?![\w.])", re.IGNORECASE)
 _LONG = re.compile(r"(?<![\d.])\d{10,}")
 _BLANK = re.compile(r"[ \t]++")
 MACHINE_COORDINATES = 91
+PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
+NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 
 
 class Coordinate(NamedTuple):
@@ -276,3 +281,14 @@ def definition_differs(content: str, tools: ToolTable | None, inch: bool) -> tup
         f"TOOL DEF gives tool {number} the length {length:g} mm, and --tools {known}",
         f"[tool.{number}] with length = {length:g}, and point where that is not its length from the spindle",
     )
+
+
+def known_codes(number: int, given: Iterable[int], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+    """Faults of M codes that are not known, and what the user vouches for."""
+    for code in given:
+        if code == MACHINE_COORDINATES or code in codes.POINT_CONTROL["heidenhain"]:
+            continue
+        if problem := codes.problem_of(code, settings.pass_m, "heidenhain"):
+            faults.add(number, *problem)
+        elif codes.vouched_for(code, settings.pass_m):
+            notes.pass_code(number, code)

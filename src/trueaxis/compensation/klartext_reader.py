@@ -13,29 +13,30 @@ from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_
 from trueaxis.compensation.klartext_blocks import (
     MACHINE_COORDINATES,
     NO_DEFINITION,
+    NO_PRESET,
+    PRESET,
     KlartextBlock,
     Other,
     ToolCall,
     codes_alone,
     definition_differs,
     head_of,
+    known_codes,
     lex_klartext,
     other_block,
     too_long,
     tool_call,
 )
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Split, Start
+from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import Meaning
 from trueaxis.compensation.nc_modes import switch
+from trueaxis.compensation.nc_motion import in_its_frame
 from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_tools import ToolReader
 from trueaxis.compensation.settings import Settings
 
-AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
-PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
-NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 _RETRACT = 140  # M140 MB MAX: along the tool axis to the end of the travel
 _POINT_CONTROL = codes.POINT_CONTROL["heidenhain"]
 _ARCS = frozenset({"C", "CR", "CP"})
@@ -167,7 +168,7 @@ class KlartextReader:
             self._faults.add(
                 number, f"{block.side} compensates the cutter's radius", "have the path of its centre written"
             )
-        self._codes(number, block)
+        known_codes(number, block.codes, self._settings, self._faults, self._notes)
         state = self._state
         item: Item = text
         control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
@@ -181,7 +182,7 @@ class KlartextReader:
                 self._faults.add(number, str(problem))
         elif not block.problem and block.verb:
             item = self._moved(number, text, block) or text
-        items.append(item)
+        items += self._framed(item, text)
         if _RETRACT in block.codes and "Z" in state.row:
             row = state.row["Z"]
             state.position[row] = None
@@ -193,14 +194,12 @@ class KlartextReader:
             state.ended = number
         return items
 
-    def _codes(self, number: int, block: KlartextBlock) -> None:
-        for code in block.codes:
-            if code == MACHINE_COORDINATES or code in _POINT_CONTROL:
-                continue
-            if problem := codes.problem_of(code, self._settings.pass_m, "heidenhain"):
-                self._faults.add(number, *problem)
-            elif codes.vouched_for(code, self._settings.pass_m):
-                self._notes.pass_code(number, code)
+    def _framed(self, item: Item, text: str) -> list[Item]:
+        if not isinstance(item, Move):
+            return [item]
+        if item.in_machine and self._settings.keep_g53 and not item.source:
+            self._faults.add(item.line, "increments under M91 with --keep-g53", "the position itself")
+        return in_its_frame(item, text, self._settings, self._frames, self._notes)
 
     def _moved(self, number: int, text: str, block: KlartextBlock) -> Move | None:
         if not block.coordinates and block.verb not in _ARCS:
@@ -297,4 +296,5 @@ class KlartextReader:
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
             again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
             state.commanded.elsewhere, state.commanded.unnamed, state.shift, elsewhere, whole, 0.0, rounded,
+            bool(whole),
         )  # fmt: skip

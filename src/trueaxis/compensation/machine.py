@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
+Place = tuple[str, FloatArray]  # name, and axis positions, (n_axes, 1), mm and deg
 
 LINEAR = "XYZ"
 ROTARY = "ABC"

@@ -63,6 +63,7 @@ class Move(NamedTuple):
     each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
     inverse_time: F where it is 1/min of the block (G93), else 0. round: how an arc is written where it may stay one.
+    in_machine: whether the block is in machine coordinates by itself (G53, SUPA, M91).
     """
 
     line: int
@@ -89,6 +90,7 @@ class Move(NamedTuple):
     whole: str = ""
     inverse_time: float = 0.0
     round: Round | None = None
+    in_machine: bool = False
 
     def as_line(self) -> "Move":
         """The same, but straight."""
@@ -123,6 +125,28 @@ class Setup(NamedTuple):
     point_control: bool = False
 
 
+class KeptHole(NamedTuple):
+    """A hole of a canned cycle that stays one, at `bottom` (n_axes), from `top`; the drilling axis, Z, then goes to
+    `clear`: mm and deg, machine coordinates.
+
+    begins: whether the cycle begins here, from the level to which it goes back; to_level: whether it goes back there,
+    or to the top. shift: position minus word of each axis; lead, tail, gap, inch, eol as in Move.
+    """
+
+    line: int
+    bottom: tuple[float, ...]
+    top: float
+    clear: float
+    begins: bool
+    to_level: bool
+    shift: tuple[float, ...]
+    inch: bool
+    lead: str
+    tail: str
+    gap: str
+    eol: str
+
+
 class Start(NamedTuple):
     """Where the machine stands before the next move, uncompensated, mm and deg; NaN where that is not known.
 
@@ -132,24 +156,27 @@ class Start(NamedTuple):
     position: tuple[float | None, ...]
 
 
-Item = str | Move | Start | Zero | Setup
+Between = Start | Zero | Setup | KeptHole  # what is said between moves
+Item = str | Move | Between
 
 TOOL_CHANGE = (
     "--tool-point is taken to hold after M6 too, whatever the tool; M6 may have moved any axis, so each gets words "
     "again only once the program has commanded it"
 )
+AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
 STOP = "the operator may move axes at M0 and M1: each gets words again only once the program has commanded it"
 
 
 @dataclass(slots=True)
 class Notes:
     """Remarks on a program that are no faults: text, how often, and the first line. passed: lines of each M code that
-    the user vouches for.
+    the user vouches for. kept: motions that stay as they are.
     """
 
     counts: Counter[str] = field(default_factory=Counter)
     first: dict[str, int] = field(default_factory=dict)
     passed: dict[int, LineLog] = field(default_factory=dict)
+    kept: int = 0
 
     def pass_code(self, line: int, code: int) -> None:
         """Note an M code that the user vouches for."""

@@ -72,7 +72,25 @@ def interpret(
     ):
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
     _cancels(meaning)
+    _look_ahead(meaning, settings)
     return meaning
+
+
+def _look_ahead(meaning: Meaning, settings: Settings) -> None:
+    """A mode of looking ahead: whether it is one that leaves positions as they are."""
+    if not meaning.look_ahead:
+        return
+    letter, values = codes.LOOK_AHEAD_ON[settings.dialect or ""][meaning.look_ahead]
+    name = f"G{meaning.look_ahead / 10:g}"
+    value = meaning.parameters.get(letter)
+    if value not in values:
+        given = name if value is None else f"{name} {letter}{value:g}"
+        right = " or ".join(f"{name} {letter}{one:g}" for one in sorted(values))
+        meaning.complain(f"{given} is not known to leave positions as they are", right)
+    elif meaning.positions or set(meaning.parameters) - {letter}:
+        meaning.complain(f"other words beside {name} {letter}{value:g}", "a block of its own, without axis words")
+    elif value:
+        meaning.notes.append(f"{name} {letter}{value:g}: {codes.ROUNDS}")
 
 
 def _cancels(meaning: Meaning) -> None:
@@ -95,14 +113,8 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     dialect = settings.dialect or ""
     if abs(value * 10 - code) > 1e-6 or code < 0:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
-    elif code in codes.INCH_ON.get(dialect, {}):
-        _set(meaning, "inch", codes.INCH_ON[dialect][code], name)
-    elif code in codes.POINT_CONTROL_ON.get(dialect, ()):
-        meaning.length_code, meaning.point_control = codes.TAKE_LENGTH, True
-    elif dialect == "siemens" and name == codes.MACHINE_FRAME:
-        _set(meaning, "system", codes.MACHINE_FRAME, name)
-    elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
-        meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+    elif _only_on(dialect, code, name, meaning):
+        pass
     elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(dialect, ()):
         meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
     elif code in _SETTING:
@@ -119,6 +131,25 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     elif code not in codes.HARMLESS | codes.HARMLESS_ON.get(dialect, frozenset()) and code != codes.RESTORE_SHIFT:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     meaning.codes.add(codes.SAME_ON.get(dialect, {}).get(code, code))
+
+
+def _only_on(dialect: str, code: int, name: str, meaning: Meaning) -> bool:
+    """Take in a code that means something else on this control than on the others; False if it is none."""
+    if code in codes.INCH_ON.get(dialect, {}):
+        _set(meaning, "inch", codes.INCH_ON[dialect][code], name)
+    elif code in codes.POINT_CONTROL_ON.get(dialect, ()):
+        meaning.length_code, meaning.point_control = codes.TAKE_LENGTH, True
+    elif dialect == "siemens" and name == codes.MACHINE_FRAME:
+        _set(meaning, "system", codes.MACHINE_FRAME, name)
+    elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
+        meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+    elif code in codes.KEPT_CYCLES_ON.get(dialect, ()):
+        _set(meaning, "cycle", code, name)
+    elif code in codes.LOOK_AHEAD_ON.get(dialect, {}):
+        meaning.look_ahead = code
+    else:
+        return False
+    return True
 
 
 def _set(meaning: Meaning, what: str, value: int | bool | str, name: str) -> None:
@@ -202,6 +233,7 @@ def _takes(letter: str, meaning: Meaning) -> bool:
         meaning.miscellaneous
         or meaning.dwell
         or meaning.codes & codes.WITH_PARAMETERS
+        or meaning.look_ahead
         or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))
         or (meaning.drilling and letter != "E")

@@ -29,6 +29,9 @@ SHIFT_TO, SHIFT_BY = -1, -2  # TRANS and ATRANS of SINUMERIK
 MACHINE_FRAME = "G500"  # no work offset (SINUMERIK)
 WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH, TO_REFERENCE, TO_SECOND_REFERENCE})
 CYCLES = frozenset({730, 810, 820, 830, 850, 860, 890})  # drilling and boring, followed
+# tapping (G74 left, G84 right, G84.2 G84.3 rigid) and fine boring: motions that depend on the spindle and on parameters
+KEPT_CYCLES_ON = {"fanuc": frozenset({740, 760, 840, 842, 843})}
+RIGID_TAPPING = 29
 # what one control means by a code that the others use otherwise
 OTHERWISE_ON: dict[str, dict[int, str]] = {
     "siemens": {
@@ -63,6 +66,13 @@ SAME_ON = {"siemens": {1530: MACHINE_COORDINATES}}  # G153
 
 # tool centre point control, with the length of H
 POINT_CONTROL_ON = {"fanuc": frozenset({434})}
+
+# looking ahead on Fanuc: G5 P10000 and P0, G5.1 Q0 to Q3, G8 P0 and P1: the letter, and the values that are no more
+LOOK_AHEAD_ON: dict[str, dict[int, tuple[str, frozenset[float]]]] = {
+    "fanuc": {50: ("P", frozenset({0.0, 10000.0})), 51: ("Q", frozenset({0.0, 1.0, 2.0, 3.0})),
+              80: ("P", frozenset({0.0, 1.0}))},
+}  # fmt: skip
+ROUNDS = "the control may round the path within a tolerance of its own here"
 
 # exact path modes that take a tolerance or a number of blocks
 WITH_PARAMETERS = frozenset({610, 611, 640})
@@ -191,6 +201,7 @@ AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timin
 OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
 _SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
+_IN_PLACE = "write the blocks of the subprogram in place of each call: each place needs corrections of its own"
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _MODES = "saves or restores modes, so that later blocks read differently"
@@ -206,6 +217,7 @@ HARMFUL: dict[int, str] = {
 }  # fmt: skip
 # known on one control: no axis moves; what it does and when
 KNOWN_ON: dict[str, dict[int, MCode]] = {
+    "fanuc": {RIGID_TAPPING: MCode("rigid tapping from the next G74 or G84 on", Timing.BEFORE)},
     "heidenhain": {
         13: MCode("spindle on, clockwise, and coolant", Timing.BEFORE),
         14: MCode("spindle on, counter-clockwise, and coolant", Timing.BEFORE),
@@ -226,7 +238,6 @@ POINT_CONTROL: dict[str, dict[int, bool]] = {
 # harmful on one control and the builder's on the others: passed unless --dialect names that control
 HARMFUL_ON: dict[str, dict[int, str]] = {
     "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES) | {430: "selects kinematics that are not in the program"},
-    "fanuc": {29: "starts rigid tapping, whose motions are not in the program"},
     "siemens": {17: _SUBPROGRAM},
     "heidenhain": {
         89: "calls a cycle at every position",
@@ -262,7 +273,7 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
         return None
     harm = HARMFUL.get(code) or HARMFUL_ON.get(dialect or "", {}).get(code)
     if harm:
-        return f"M{code} {harm}", NOT_PASSED
+        return f"M{code} {harm}", _IN_PLACE if harm is _SUBPROGRAM else NOT_PASSED
     if code in passed:
         return None
     known = "; ".join(f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful)

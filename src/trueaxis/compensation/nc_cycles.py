@@ -1,5 +1,6 @@
 """Canned cycles of an NC program, written out as rapids and lines."""
 
+import math
 from collections.abc import Hashable, Iterator
 from dataclasses import replace
 
@@ -17,14 +18,16 @@ from trueaxis.compensation.cycle_blocks import (
     steps,
 )
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import Item, Kind, Notes
+from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes, Start
 from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Block, Meaning
+from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
 from trueaxis.compensation.nc_modes import ModeReader
 from trueaxis.compensation.nc_state import Commanded, Cycle, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
+KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
+STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
 PECKS = f"pecks go back by {CLEARANCE:g} mm, as on LinuxCNC; on other controls a parameter says by how much"
 
@@ -43,10 +46,17 @@ class CycleReader:
         self._faults, self._notes = logs
         self._modes, self._frames = modes, frames
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in state.axes]
+        self._kept = codes.KEPT_CYCLES_ON.get(settings.dialect or "", frozenset[int]())
+        self._begun = False  # whether a hole of the kept cycle in force has been made
+        self._began_at: float | None = None  # Z before the first, to which the control goes back under G98
 
     def block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """The motions of a block while a canned cycle is in force; its text where it drills nothing."""
         cycle = self._cycle(body, block, meaning)
+        if self._state.cycle is None:
+            self._state.before_cycle = self._state.motion
+        if self._state.cycle is None or self._state.cycle.code not in self._kept:
+            self._begun = False
         self._state.cycle, self._state.motion = cycle, None
         named = set(meaning.axes)
         meaning.axes.pop(self._depth, None)
@@ -59,6 +69,10 @@ class CycleReader:
             return [line]
         self._modes.note_unsaid(number)
         self._frames.note_first(number)
+        if self._repeats(meaning) == 0:
+            return self._stored(number, line, body, block, meaning, again)
+        if cycle.code in self._kept:
+            return self._kept_hole(number, line, body, block, meaning, cycle)
         self._notes.add(number, WRITTEN_OUT)
         if cycle.pecks:
             self._notes.add(number, PECKS)
@@ -116,14 +130,26 @@ class CycleReader:
             (cycle.z is None or cycle.r is None, f"{name} without Z and R", "both where the cycle begins"),
             (cycle.pecks and not cycle.peck > 0.0, f"{name} without Q above 0", "the depth of a peck"),
             (repeats is None, f"L or K of {name} is no number of repeats", f"from 1 to {MOST_REPEATS}"),
+            *self._kept_problems(cycle, repeats),
             (cycle.code == 860 and not state.spindle, "G86 while the spindle is not known to turn", "M3 or M4 before"),
             (state.frames.system == "", "which work offset is in force here is not known", "G54 in the program"),
         )
         return next(((problem, remedy) for wrong, problem, remedy in problems if wrong), None)
 
+    def _kept_problems(self, cycle: Cycle, repeats: int | None) -> Iterator[tuple[bool, str, str]]:
+        """What is wrong with a hole of a cycle that stays one."""
+        if cycle.code in self._kept:
+            state, name = self._state, cycle.name
+            yield bool(repeats and repeats > 1), f"{name} with repeats", "a block for each hole"
+            yield not state.absolute, f"{name} under G91", "G90, and a block for each hole"
+            yield state.plane != 170, f"{name} in another plane than G17", "G17"
+            yield state.point_control, f"{name} under tool centre point control", "end it before"
+
     def _repeats(self, meaning: Meaning) -> int | None:
+        """How often; 0: never, the words are stored (Fanuc); None: that is no number."""
         count = meaning.parameters.get("L", meaning.parameters.get("K", 1.0))
-        right = {"L", "K"} - meaning.parameters.keys() and count % 1 == 0 and 1 <= count <= MOST_REPEATS
+        least = 0 if self._settings.dialect == "fanuc" else 1
+        right = {"L", "K"} - meaning.parameters.keys() and count % 1 == 0 and least <= count <= MOST_REPEATS
         return int(count) if right else None
 
     def _levels(self, cycle: Cycle, meaning: Meaning) -> tuple[float, float, float]:
@@ -175,6 +201,59 @@ class CycleReader:
                 else:
                     writer.go(what, {self._depth: z})
 
+    def _stored(
+        self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str
+    ) -> list[Item]:  # fmt: skip
+        """A block with K0 or L0: its words are stored, and nothing is drilled."""
+        self._notes.add(number, STORED)
+        rows = [self._state.row[axis] for axis in meaning.axes]
+        writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
+        items: list[Item] = [line] if self._state.cycle and self._state.cycle.code in self._kept else writer.alone()
+        if not rows:
+            return items
+        for row in rows:  # whether they are gone to differs by control
+            self._state.position[row] = None
+        self._state.commanded.lose(rows)
+        return [*items, Start(tuple(math.nan if row in rows else None for row in range(len(self._state.axes))))]
+
+    def _kept_hole(
+        self, number: int, line: str, body: str, block: Block, meaning: Meaning, cycle: Cycle
+    ) -> list[Item]:  # fmt: skip
+        """A hole that the control makes by its own cycle, at corrected words."""
+        state, row = self._state, self._state.row[self._depth]
+        end = state.after(meaning.axes)
+        rows = [state.row[axis] for axis in "XYZ"]
+        known = state.commanded.of(one for one in rows if state.axes[one] not in meaning.axes)
+        if known < Commanded.ABSOLUTE or None in end:
+            self._faults.add(number, f"{cycle.name} where X, Y or Z is not certain", "command all by G90 G0 before")
+            return [line]
+        try:
+            r, bottom, clear = self._levels(cycle, meaning)
+            level = self._began_at if self._begun else self._level()
+            if clear not in (r, level):
+                raise CycleError(f"{cycle.name} goes back to where another cycle began", "G80 before it, and Z")
+        except CycleError as error:
+            self._faults.add(number, *error.args)
+            return [line]
+        at = [value or 0.0 for value in end]
+        begins, self._begun, self._began_at = not self._begun, True, level
+        if " " in body or "\t" in body:
+            state.gap = " "
+        elif sum(word.letter in REPLACED for word in block.words) > 1:
+            state.gap = ""
+        text = block_text(body, block.words, state.gap, False, False)
+        state.position = [clear if one == row else value for one, value in enumerate(at)]
+        state.commanded.command([one in rows for one in range(len(at))], True)
+        state.moved, state.in_force = True, None
+        self._notes.add(number, KEPT.format(cycle.name))
+        at[row] = bottom
+        return [
+            KeptHole(
+                number, tuple(at), r, clear, begins, clear != r, state.shift, state.inch, text.lead, text.tail,
+                state.gap, line[len(body) :],
+            )
+        ]  # fmt: skip
+
     def _steps(self, cycle: Cycle, r: float, bottom: float, clear: float) -> Iterator[tuple[Kind | str, float]]:
         """What is done in a hole from R on: motions of the axis that drills, with their ends, and blocks between."""
         said = {DWELL: f"G4{self._state.gap}P{cycle.dwell}", SPINDLE_STOP: "M5", SPINDLE_START: self._state.spindle}
@@ -185,7 +264,13 @@ class CycleReader:
     def further(self) -> Hole | None:
         """What further holes of the cycle are, by X and Y alone; None where each is to be looked at."""
         state, cycle = self._state, self._state.cycle
-        if cycle is None or not state.absolute or not cycle.absolute or cycle.inch != state.inch:
+        if (
+            cycle is None
+            or cycle.code in self._kept
+            or not state.absolute
+            or not cycle.absolute
+            or cycle.inch != state.inch
+        ):
             return None
         if self._problem(cycle, {"X"}, Meaning()):
             return None

@@ -22,14 +22,25 @@ class FrameReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_fanuc = settings.dialect == "fanuc"
         self._setup = Setup()
+        self._touched = {one.system for one in settings.touched_off}
         self._said = False  # whether the program has selected a work offset
         self._unknown: set[str] = set()  # work offsets that are selected and not given
         self._reset = False  # whether it has said what G92 shifts by
 
-    def changed(self) -> list[Item]:
-        """What holds from here on, where it differs from what held before."""
+    def apart(self, items: list[Item]) -> list[Item]:
+        """Motions in machine coordinates: not from the datum of the work offset in force, where that was touched off
+        without compensation.
+        """
+        if self._state.frames.system not in self._touched:
+            return items
+        return [*self.changed(in_machine=True), *items, *self.changed()]
+
+    def changed(self, in_machine: bool = False) -> list[Item]:
+        """What holds from here on, where it differs from what held before; in_machine: for a motion in machine
+        coordinates.
+        """
         state, frames = self._state, self._state.frames
-        system = frames.system or ""
+        system = "" if in_machine else frames.system or ""
         setup = Setup(
             system, frames.values if system else (), frames.spread if system else (), state.tool, state.point_control
         )
@@ -58,9 +69,20 @@ class FrameReader:
     def note_first(self, number: int) -> None:
         """Note, at the first motion, that the work offset in force is not the program's choice."""
         frames = self._state.frames
+        if frames.unsaid and frames.system:
+            self._whole(number, frames.system)
         if not self._said and frames.system and frames.offsets.active is None:
             self._notes.add(number, FIRST)
             self._said = True
+
+    def _whole(self, number: int, name: str) -> None:
+        """A fault, once, where a work offset under which the program moves lacks the value of a linear axis."""
+        if missing := self._state.frames.unsaid.pop(name, ""):
+            words = ",".join(f"{axis}.." for axis in missing)
+            self._faults.add_unplaced(
+                number, f"{name} has no value of {' '.join(missing)}: {NOT_KNOWN}",
+                f"say --offset {name.replace(' ', '')}={words} too",
+            )  # fmt: skip
 
     def data(self, number: int, line: str, body: str, block: Block, meaning: Meaning) -> list[Item]:
         """A block whose axis words are data."""
@@ -89,8 +111,6 @@ class FrameReader:
             self._unknown.add(name)
             return
         frames.system = name
-        if name in frames.unsaid:
-            self._notes.add(number, f"{name} has no value for all linear axes: the others are taken as 0")
 
     def _end_shift(self, number: int, meaning: Meaning) -> None:
         frames = self._state.frames
@@ -170,6 +190,9 @@ class FrameReader:
         values = self._values(meaning)
         touch_off = kind == 20 and self._on_linuxcnc
         system = self._written_system(number, kind, place)
+        if system in self._touched:
+            self._faults.add(number, f"G10 gives {system} a value, and --touched-off says that it was touched off",
+                             "one of both")  # fmt: skip
         if meaning.data.get("R"):
             self._faults.add(number, "G10 with R turns the positions", codes.MACHINE_REMEDY)
         if not (self._state.absolute or self._on_linuxcnc):

@@ -113,7 +113,7 @@ class Meaning:
     system: the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter,
     R too. length_code: G43 or G49 (times ten); length_of: the H word of G43. cycle: a canned cycle that it begins (code
     times ten); drilling: whether its axis words are those of a cycle, with R in `data`; at_initial_level: G98, or G99.
-    turns: whether P counts turns of an arc (LinuxCNC).
+    look_ahead: a code (times ten) of looking ahead, 0: none. turns: whether P counts turns of an arc (LinuxCNC).
     point_control: whether it switches tool centre point control on or off.
     ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
     would be no shift; notes: remarks on the block.
@@ -145,6 +145,7 @@ class Meaning:
     length_code: int | None = None
     cycle: int | None = None
     drilling: bool = False
+    look_ahead: int = 0
     at_initial_level: bool | None = None
     length_of: int | None = None
     data: dict[str, float] = field(default_factory=dict)

@@ -15,6 +15,7 @@ from trueaxis.compensation.nc_lexer import Meaning, decimals_of
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
+GROUP_01 = "G80 ends the cycle: G{}, which was in force before it, is in force again"
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 
 
@@ -48,8 +49,7 @@ class ModeReader:
         if meaning.motion is not None:
             state.motion, state.cycle = meaning.motion, None
         if meaning.cancel_cycle:
-            state.motion = state.in_force = meaning.motion
-            state.cycle = None
+            self._end_cycle(number, meaning)
         if meaning.plane is not None:
             state.plane = meaning.plane
         if meaning.inch is not None:
@@ -69,6 +69,19 @@ class ModeReader:
                 self._notes.pass_code(number, code)
             if code in codes.SPINDLE:
                 state.spindle = codes.spindle_of(code)
+
+    def _end_cycle(self, number: int, meaning: Meaning) -> None:
+        """G80. On Fanuc it is of another group than G0 and G1, of which the one before the cycle is in force again; on
+        LinuxCNC no motion is.
+        """
+        state = self._state
+        motion = meaning.motion
+        if motion is None and self._settings.dialect == "fanuc":
+            motion = state.motion if state.cycle is None else state.before_cycle
+            motion = motion if motion in (0, 1) else None
+            if state.cycle is not None and motion is not None:
+                self._notes.add(number, GROUP_01.format(motion))
+        state.motion, state.in_force, state.cycle = motion, meaning.motion, None
 
     def _feed(self, meaning: Meaning) -> None:
         state = self._state

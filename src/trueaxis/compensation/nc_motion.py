@@ -30,6 +30,22 @@ MACHINE_COORDINATES = (
 MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
 
 
+KEPT = "a motion in machine coordinates is left as it is (--keep-g53)"
+
+
+def in_its_frame(move: Move, text: str, settings: Settings, frames: FrameReader, notes: Notes) -> list[Item]:
+    """A move with what is to be said of machine coordinates around it; text: its block where it stays as it is, and the
+    axes that it names then stand uncompensated.
+    """
+    if not move.in_machine:
+        return [move]
+    if not settings.keep_g53:
+        return frames.apart([move])
+    notes.add(move.line, KEPT)
+    notes.kept += 1
+    return [text, Start(tuple(end if named else None for end, named in zip(move.end, move.written, strict=True)))]
+
+
 class MotionReader:
     """Reads the motions of one program."""
 
@@ -45,14 +61,18 @@ class MotionReader:
         self._modes, self._tools, self._frames = readers
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in state.axes]  # where axes are until they are known
 
-    def block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Item:
+    def block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """The move of a block in its frame, or its text if it has none; again: the switch of an optional block."""
         if meaning.in_machine_coordinates:
             self._state.enter_frame(machine=True)
         move = self._move(number, line, body, block, meaning, again)
         if meaning.in_machine_coordinates:
             self._state.enter_frame()
-        return line if move is None else move
+        if move is None:
+            return [line]
+        words = [body[word.start : word.end] for word in block.words if word.letter in meaning.axes]
+        text = move.source or f"{move.lead}{move.gap.join(words)}{move.tail}{move.eol}"
+        return in_its_frame(move, text, self._settings, self._frames, self._notes)
 
     def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
         if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
@@ -109,6 +129,7 @@ class MotionReader:
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
             state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.commanded.unnamed,
             state.shift, elsewhere, meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
+            meaning.in_machine_coordinates,
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
@@ -251,6 +272,7 @@ def to_reference(
     point = {} if other else settings.reference_points.get(name, {})
     lost = [state.row[axis] for axis in axes if axis not in point]
     notes.add(number, f"{name} {AS_IT_IS}")
+    notes.kept += 1
     if lost:
         notes.add(number, f"{name} {' '.join(state.axes[row] for row in lost)}: {NO_POINT}")
     stands: list[float | None] = [None] * len(state.axes)

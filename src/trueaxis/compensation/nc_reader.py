@@ -12,7 +12,7 @@ from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Start
+from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensation.nc_block import interpret
 from trueaxis.compensation.nc_cycles import CycleReader
 from trueaxis.compensation.nc_frames import FrameReader
@@ -30,7 +30,6 @@ _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece
 _NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
 _POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
 _MACHINE_DATA = frozenset({codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE, codes.SET_POSITION, codes.WRITE_DATA})
-AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
 
 
 # the groups are lead, G, X, Y, Z, tail, F, line end
@@ -153,7 +152,7 @@ class NcReader:
         if meaning.data_code is not None or meaning.drilling:
             items += self._data(number, line, body, block, meaning, again)
         else:
-            items.append(self._motions.block(number, line, body, block, meaning, again))
+            items += self._motions.block(number, line, body, block, meaning, again)
         if meaning.changes_tool and self._tools.moves(meaning):  # after the motion too: controls do not agree on it
             state.commanded.displace()
         stops = codes.STOPS.intersection(meaning.miscellaneous)

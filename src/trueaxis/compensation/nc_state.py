@@ -138,8 +138,7 @@ def _below(known: Sequence[Commanded], least: Commanded) -> tuple[bool, ...]:
 class Cycle:
     """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
     text of its P word). initial: where the drilling axis was when it began, mm, machine coordinates, None: not
-    known; frame: in which.
-    absolute, inch: how z and r are written.
+    known; frame: in which. absolute, inch: how z and r are written.
     """
 
     code: int
@@ -155,7 +154,7 @@ class Cycle:
     @property
     def name(self) -> str:
         """G81 and the like."""
-        return f"G{self.code // 10}"
+        return f"G{self.code / 10:g}"
 
     @property
     def pecks(self) -> bool:
@@ -175,8 +174,9 @@ class NcState:
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
-    cycle: the canned cycle in force; at_initial_level: G98; spindle: M3 or M4 while it turns. shift: position minus
-    word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows it.
+    cycle: the canned cycle in force; before_cycle: the motion that was before it; at_initial_level: G98; spindle: M3 or
+    M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
+    last block that shows it.
     point_control: whether positions are those of the tip. due: whether something is to be noted at the next motion.
     """
 
@@ -196,6 +196,7 @@ class NcState:
     offsets: Offsets = field(default_factory=Offsets)
     tool: int | None = None
     cycle: Cycle | None = None
+    before_cycle: int | None = None
     at_initial_level: bool = True
     spindle: str = ""
     shift: tuple[float, ...] = ()

@@ -19,11 +19,13 @@ Held = NDArray[np.bool_]
 class Places:
     """What is known of where axes stand, each (n_axes, n_points): held, axes that got no word although compensation
     would move them; elsewhere, axes that may stand anywhere; unnamed, linear axes that the program has not moved yet.
+    parking: (n_points,), rapids in machine coordinates (G53).
     """
 
     held: Held
     elsewhere: Held
     unnamed: Held
+    parking: NDArray[np.bool_]
 
     @property
     def uncounted(self) -> Held:
@@ -140,6 +142,11 @@ class MoveTable:
     def passable(self) -> NDArray[np.bool_]:
         """(n,)."""
         return self._column(lambda move: move.passable, lambda run: run.passable, np.bool_)
+
+    @property
+    def in_machine(self) -> NDArray[np.bool_]:
+        """(n,)."""
+        return self._column(lambda move: move.in_machine, lambda _: False, np.bool_)
 
     @property
     def run_through(self) -> NDArray[np.bool_]:

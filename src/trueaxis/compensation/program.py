@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.columns import NO_ARCS, PlainRun, columns_of
 from trueaxis.compensation.course import Everywhere, Placing
+from trueaxis.compensation.datum import FromDatum, FromDatumOnCourse, datum_shift
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
+from trueaxis.compensation.kept_holes import BOTTOM, TOP, check_travel, drilled
 from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, linear_rows, rotary_rows
-from trueaxis.compensation.moves import Item, Kind, Notes, Setup, Start, Zero
-from trueaxis.compensation.path import Held, MoveTable, Path, Places, alike, follows_at_once, path_of, standing
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, rotary_rows
+from trueaxis.compensation.move_notes import note_held, note_turns
+from trueaxis.compensation.moves import Between, Item, KeptHole, Kind, Notes, Setup, Zero
+from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
@@ -29,13 +32,6 @@ from trueaxis.compensation.writer import BlockWriter
 FEW_ROTARY_AXES = (
     "this machine has no rotary axis: the orientation of the tool is not corrected",
     "this machine has one rotary axis: the tool axis is corrected in the direction in which it turns it, not across",
-)
-HELD = (
-    "gets no word here, and its error is left: the program has not commanded it to a position since its start, "
-    "or since the last tool change or stop"
-)
-TURNS_ALONE = (
-    "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
 
 
@@ -68,6 +64,7 @@ class Compensator:
         self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
         self._written = self._assumed  # position named by the words written last, or where axes are taken to stand
         self._settled = False  # whether the machine stands at a compensated position
+        self._level = 0.0  # to which a kept cycle goes back, as written
         # a reversal in the midst of an arc, or words chosen along a ball bar, ask for chords
         self._arcs_stay = settings.arcs == "keep" and self._tracker is None and settings.words == "nearest"
         self._arcs_stay &= self._turned is None
@@ -101,7 +98,7 @@ class Compensator:
             if batch.between is not None:
                 yield self._between(batch.between)
 
-    def _between(self, item: Start | Zero | Setup) -> str:
+    def _between(self, item: Between) -> str:
         """Take in what is said between moves; returns its text."""
         if isinstance(item, Zero):
             return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
@@ -109,15 +106,19 @@ class Compensator:
             tools = self._settings.tools
             tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
             self._tool_point = tool_point_of(self._axes_model, tool, self._given_point)
-            controlled = PointControlled(self._axes_model) if item.point_control else None
-            self._model = controlled or self._axes_model
+            on_datum = self._on_datum(item)
+            controlled = PointControlled(on_datum) if item.point_control else None
+            self._model = controlled or on_datum
             if controlled is not None and self._tracker is not None:
                 self._faults.add(0, "effects under tool centre point control are not followed", "leave them out")
             self._along = self._comparison()
-            if self._tracker is not None:
-                self._tracker.use(self._along)
-            self._tally.setup(item, self._tool_point, controlled)
+            if self._tracker is not None and self._acting is not None:
+                datum = FromDatumOnCourse(self._acting.model, on_datum.off) if isinstance(on_datum, FromDatum) else None
+                self._tracker.use(self._along, datum or self._acting.model)
+            self._tally.setup(item, self._tool_point, on_datum, controlled)
             return ""
+        if isinstance(item, KeptHole):
+            return "" if self._faults.count else self._hole(item)
         stands = np.array([math.nan if value is None else value for value in item.position])
         kept = np.array([value is None for value in item.position])
         self._programmed = np.where(kept, self._programmed, stands)
@@ -126,6 +127,33 @@ class Compensator:
         if self._tracker is not None:
             self._tracker.stand(self._programmed, kept)
         return ""
+
+    def _hole(self, hole: KeptHole) -> str:
+        """A hole of a cycle that stays one; where the axes stand behind it."""
+        found = drilled(hole, self._model, self._tool_point, self._settings)
+        check_travel(hole, found, self._model, self._faults)
+        row = self._model.axes.index("Z")
+        if hole.begins:
+            self._level = float(self._written[row])
+        self._tally.hole(hole.line, found)
+        if self._changes is not None:
+            self._changes.add(np.full(3, hole.line), found.programmed, found.words)
+        self._programmed, self._written = found.programmed[:, BOTTOM].copy(), found.words[:, BOTTOM].copy()
+        self._programmed[row] = hole.clear
+        self._written[row] = self._level if hole.to_level else found.words[row, TOP]
+        self._settled = True
+        if self._tracker is not None:
+            self._tracker.stand(self._programmed, np.zeros(self._programmed.size, dtype=bool))
+        return self._writer.hole(hole, found.words[:, BOTTOM], float(found.words[row, TOP]))
+
+    def _on_datum(self, setup: Setup) -> ErrorModel:
+        """The machine from the datum of the work offset in force, where that was touched off without compensation."""
+        touched = [one for one in self._settings.touched_off if one.system == setup.system]
+        if not touched:
+            return self._axes_model
+        zero = dict(zip(self._model.axes, setup.values, strict=True))
+        still = self._axes_model if self._acting is None else self._acting.at_rest
+        return FromDatum(self._axes_model, datum_shift(still, touched, zero, self._given_point))
 
     def _batch(self, batch: Batch) -> str:
         moves = MoveTable([item for item in batch.items if not isinstance(item, str)], len(self._model.axes))
@@ -156,7 +184,7 @@ class Compensator:
         settings, tool_point, axes = self._settings, self._tool_point, self._model.axes
         if np.isnan(start).any() and moves.motion[0] != Kind.RAPID:
             self._notes.add(int(moves.lines[0]), "a feed motion from an unknown position: only its end is compensated")
-        self._note_turns(moves, start)
+        note_turns(moves, start, axes, self._notes)
         placing: Placing = Everywhere(self._model)
         if self._tracker is not None:
             path, placing = self._tracker.place(path, moves, follows, following)
@@ -166,9 +194,10 @@ class Compensator:
         absolute, inch, lines = moves.absolute[of], moves.inch[of], moves.lines[of]
         held = moves.held
         waiting = held & self._corrected
-        self._note_held(moves, waiting)
+        note_held(moves, waiting, axes, self._notes)
         held, waiting = columns_of(held, of), columns_of(waiting, of)
-        places = Places(waiting, columns_of(moves.elsewhere, of), columns_of(moves.unnamed, of))
+        parking = moves.in_machine[of] & path.rapid
+        places = Places(waiting, columns_of(moves.elsewhere, of), columns_of(moves.unnamed, of), parking)
         shift = columns_of(moves.shift, of)
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
@@ -217,12 +246,6 @@ class Compensator:
         steps, shift = (columns_of(of_points, done.point[at]) for of_points in lattices)
         return self._writer.texts(moves, owner, positions, before, (steps, shift), programmed, shares, arcs)
 
-    def _note_held(self, moves: MoveTable, held: Held) -> None:
-        """Note axes that get no word; held: (n_axes, n_moves)."""
-        for some in alike(held):
-            names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, some[0]], strict=True) if stays)
-            self._notes.add(int(moves.lines[some[0]]), f"{names} {HELD}", some.size)
-
     def _refuse_cuts(self, moves: MoveTable, owner: NDArray[np.int64]) -> None:
         """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""
         pieces = np.bincount(owner, minlength=len(moves))
@@ -234,17 +257,6 @@ class Compensator:
                     "motion is not known",
                     f"give {move.whole} a block of its own",
                 )
-
-    def _note_turns(self, moves: MoveTable, start: FloatArray) -> None:
-        """Note feed blocks whose F may be read differently once they have words of linear axes."""
-        linear, rotary = list(linear_rows(self._model.axes)), list(rotary_rows(self._model.axes))
-        if not rotary:
-            return
-        ends = moves.ends
-        way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
-        alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
-        for line in moves.lines[alone & (moves.motion == Kind.LINE)].tolist():
-            self._notes.add(line, TURNS_ALONE)
 
     def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel, held: Held) -> Solved:
         """Solve with the rotary positions that their words can name; held axes stay."""

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.compensation.columns import columns_of
-from trueaxis.compensation.machine import ROTARY, ErrorModel, FloatArray, linear_rows, rotary_rows
+from trueaxis.compensation.machine import ROTARY, ErrorModel, FloatArray, Place, linear_rows, rotary_rows
 from trueaxis.compensation.solve import SINGULAR
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import UncertaintyExtent, table_positions, uncertainty_extent
@@ -76,11 +76,11 @@ class Visited:
     their bounded number allows: axes that stand still make no cells.
 
     tool_point: the one that came there, (3, 1), mm, tool frame. largest_turn: the largest correction of a rotary axis,
-    deg, at the programmed position `turned_at`, (n_axes,).
+    deg, at the programmed position `turned_at`, (n_axes,). datum: from where corrections count; None: home.
     """
 
-    def __init__(self, model: ErrorModel, tool_point: FloatArray) -> None:
-        self.tool_point = tool_point
+    def __init__(self, model: ErrorModel, tool_point: FloatArray, datum: Place | None = None) -> None:
+        self.tool_point, self.datum = tool_point, datum
         self._linear, self._rotary = list(linear_rows(model.axes)), list(rotary_rows(model.axes))
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low = low[:, np.newaxis]
@@ -166,9 +166,7 @@ class Visited:
 
     def samples(self, nodes: Sequence[Sequence[float]]) -> FloatArray:
         """(n_axes, k), mm or deg: positions of the program: one of each cell, those farthest out, and where it passes
-        nodes; nothing that it does not come to: what is unknown elsewhere does not concern it.
-
-        nodes: of each axis: positions at which curves may have what they have nowhere else.
+        nodes: of each axis, positions at which curves may have what they have nowhere else.
         """
         return np.hstack([self.positions, self._farthest, *self._at_nodes(nodes)])
 
@@ -203,8 +201,8 @@ class Reliance:
     range (places, not blocks, are counted). largest_correction and allowed_correction (None where nothing moves), mm,
     at the place `correction_at` (axis positions, mm and deg) where the first is the largest share of the second.
     largest_turn, allowed_turn: of a rotary axis, deg, and where (None where no axis turns). at_home: by how much the
-    errors displace the tool point at home, mm. too_uncertain, too_large: which limit is passed; nothing may then be
-    written.
+    errors displace the tool point at home, mm; 0 where corrections count from another datum. too_uncertain, too_large:
+    which limit is passed; nothing may then be written.
     """
 
     uncertainty: UncertaintyExtent
@@ -240,11 +238,13 @@ def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Jud
         positions, corrections = visited.positions, visited.corrections
         nodes = [table_positions(covariance, axis) for axis in model.axes]
         samples = visited.samples(nodes) if corrections.size else positions
-        extent = uncertainty_extent(model, covariance, samples, tool_point)
+        extent = uncertainty_extent(model, covariance, samples, tool_point, visited.datum)
         allowed_turn = _allowed_turn(model)
         allowed = np.full(corrections.size, limits.max_correction or np.inf)
         if limits.max_correction is None:
             allowed = PRIOR_SIZES * prior_size(model, positions, tool_point)
+            if visited.datum is not None:  # a correction is a difference, at most as large as both together
+                allowed += PRIOR_SIZES * prior_size(model, visited.datum[1], tool_point)
         worst = int(np.argmax(corrections / allowed)) if corrections.size else None
         return Reliance(
             uncertainty=extent,
@@ -255,7 +255,7 @@ def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Jud
             largest_turn=visited.largest_turn,
             allowed_turn=allowed_turn,
             turned_at=dict(zip(model.axes, visited.turned_at.tolist(), strict=True)),
-            at_home=float(np.linalg.norm(model.deviation(home_of(model), tool_point))),
+            at_home=float(np.linalg.norm(model.deviation(home_of(model), tool_point))) * (visited.datum is None),
             too_uncertain=extent.refused(limits.max_u, limits.accept_u),
             too_large=(worst is not None and bool(corrections[worst] > allowed[worst]))
             or (allowed_turn is not None and visited.largest_turn > allowed_turn),

@@ -69,13 +69,16 @@ class PassedCode:
 class CompensationReport:
     """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
 
-    blocks_in, blocks_out: lines read and written. moves: blocks that move; points: their ends with those of chords and
+    blocks_in, blocks_out: lines read and written. moves: blocks that move; kept_motions: those that --keep-g53 left as
+    they are, and G28 and G30; kept_holes: holes of cycles that stay cycles, and the error at the worse end of each, mm,
+    which no word can take back; points: their ends with those of chords and
     cuts; short_blocks: points passed within a block of their own. take_ups: blocks that take up what a reversal
     changes; they are no part of `along`, the tool stands in them. iterations[k]: points that took k corrections.
     before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
+    parked_at_end: the same of rapids in machine coordinates (G53), which do no harm; they are in no other figure.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
     axes may stand anywhere; None where none may. unnamed_feeds: feed motions while the program has not moved an axis so
@@ -97,6 +100,8 @@ class CompensationReport:
     blocks_in: int
     blocks_out: int
     moves: int
+    kept_motions: int
+    kept_holes: Summary | None
     points: int
     short_blocks: int
     take_ups: int
@@ -110,6 +115,7 @@ class CompensationReport:
     not_converged: Lines
     over_tolerance: Lines
     out_of_travel: Lines
+    parked_at_end: Lines
     over_orientation: Lines
     singular: Lines
     uncommanded: Lines
@@ -128,15 +134,21 @@ class CompensationReport:
     @property
     def good(self) -> bool:
         """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
-        return (
-            not self.refused
-            and not self.over_range
-            and not self.over_places
-            and not any(
-                found.points
-                for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
-            )
+        return not self.refused and not self.failure
+
+    @property
+    def failure(self) -> str:
+        """Why what was written is not good, in a few words; empty where it is."""
+        kinds = (
+            ("points did not converge", self.not_converged.points),
+            ("points above the tolerance", self.over_tolerance.points),
+            ("points out of travel", self.out_of_travel.points),
+            ("tool axis above its tolerance", self.over_orientation.points),
+            ("not good for all work offsets in the ranges given", self.over_range),
+            ("not good wherever axes may stand", self.over_places),
+            ("nothing in the program moves an axis", not self.moves and not self.kept_motions),
         )
+        return ", ".join(name for name, found in kinds if found)
 
     @property
     def over_range(self) -> bool:
@@ -175,6 +187,7 @@ class CompensationReport:
             f"{self.moves} moves, {self.points} points"
             + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else "")
             + (f", {self.take_ups} blocks that take up reversals" if self.take_ups else ""),
+            *([f"not good, exit code 1: {self.failure}"] if self.failure and not self.refused else []),
             f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, "
             f"tolerance {settings.tolerance:g} mm",
             "corrections made: " + ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n),
@@ -207,6 +220,13 @@ class CompensationReport:
                 f"axes not commanded yet get no words: {self.uncommanded}; "
                 f"largest error left {left.largest:.4f} mm at line {left.line}"
             )
+        if self.kept_holes is not None:
+            of = self.kept_holes
+            lines.append(
+                f"{of.count} holes of cycles that are kept: X and Y are those of the middle of the hole, Z and R those "
+                f"of its ends; what errors differ by along a hole is left, {of.largest:.4f} mm at most at an end (line "
+                f"{of.line})"
+            )
         lines.extend(map(str, (*self.offsets, *self.tools)))
         if self.over_range:
             lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
@@ -223,6 +243,11 @@ class CompensationReport:
             f"{one.lines.points} times, lines {one.lines.shown}"
             for one in self.passed
         )
+        if self.parked_at_end.points:
+            lines.append(
+                f"note: rapids in machine coordinates (G53) stop at the end of travel: {self.parked_at_end}; nothing "
+                "is cut there, and they count as no fault"
+            )
         lines.extend(f"note: {note}" for note in self.notes)
         lines.append(str(self.senses))
         if self.sign_check is not None:

@@ -8,6 +8,7 @@ from typing import Literal
 
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import ToolTable
+from trueaxis.compensation.touched_off import TouchedOff
 
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
@@ -41,7 +42,9 @@ class Settings:
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see nc_codes.
     offsets: work offsets that are known. tools: tools that are known, None: none are. tool: the one in the spindle
-    before the program, None: not known. reference_points: machine positions to which `G28` and `G30` go.
+    before the program, None: not known. touched_off: work offsets that were touched off without compensation, see
+    datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine positions to which `G28`
+    and `G30` go.
     judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
@@ -71,6 +74,8 @@ class Settings:
     offsets: Offsets = field(default_factory=Offsets)
     tools: ToolTable | None = None
     tool: int | None = None
+    touched_off: tuple[TouchedOff, ...] = ()
+    keep_g53: bool = False
     reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     judged: bool = False
     temperature: float | None = None

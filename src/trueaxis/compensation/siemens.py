@@ -94,7 +94,6 @@ _HARMLESS = frozenset(
 )
 # modes that let the control round the path within a tolerance of its own, as G64 does
 _ROUNDING = frozenset("COMPON COMPCURV COMPCAD COMPSURF CYCLE832 CUST_832 HIGH_SPEED CYCLE_HSC".split())
-ROUNDS = "the control may round the path within a tolerance of its own here"
 _SHIFTS = {"TRANS": codes.SHIFT_TO, "ATRANS": codes.SHIFT_BY}
 _FRAMES = {"ROT": "turns", "AROT": "turns", "ROTS": "turns", "AROTS": "turns", "SCALE": "scales", "ASCALE": "scales",
            "MIRROR": "mirrors", "AMIRROR": "mirrors"}  # fmt: skip
@@ -136,7 +135,7 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name in _MACHINE:
         meaning.codes.add(codes.MACHINE_COORDINATES)
     elif name in _ROUNDING:
-        meaning.notes.append(f"{name}: {ROUNDS}")
+        meaning.notes.append(f"{name}: {codes.ROUNDS}")
     elif name == TOOL_BY_NAME:
         meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
     elif name in _FAULTY:

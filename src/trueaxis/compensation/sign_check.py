@@ -21,7 +21,8 @@ class SignCheck:
     deviation: of the tool point there in that direction, actual minus ideal, mm, uncompensated; at_home: the same at
     `home`, axis positions where a gauge is set to zero; since_home: the difference, which the gauge shows. axis,
     command: the linear axis that moves the tool most in that direction, and its compensated command. correction: how
-    far all compensated commands together move the error-free tool point in that direction, mm.
+    far all compensated commands together move the error-free tool point in that direction, mm. datum: of it, what goes
+    along with the datum of a work offset that was touched off, mm.
     """
 
     line: int
@@ -34,13 +35,16 @@ class SignCheck:
     axis: str
     command: float
     correction: float
+    datum: float = 0.0
 
     def __str__(self) -> str:
         at_home, difference, taken_back = "", "", ""
         if abs(self.at_home) >= _SHOWN:
             at_home = f" there and {self.at_home:+.4f} mm at home"
             difference = ", the difference"
-            taken_back = f"; at home they would by {-self.at_home:+.4f} mm: the difference is the reading, taken back"
+        if max(abs(self.at_home), abs(self.datum)) >= _SHOWN:
+            back = f"{self.datum - self.at_home:+.4f} mm"
+            taken_back = f"; at home they would by {back}: the difference is the reading, taken back"
         return (
             f"sign check before first use: at {_named(self.position)} (line {self.line}) the error values displace the "
             f"tool point by d{self.direction} = {self.deviation:+.4f} mm{at_home}, in the workpiece frame.\n"
@@ -104,7 +108,7 @@ class SignChecker:
         self._model, self._tool_point = model, tool_point
         self._home = home_of(model)
         self._at_home = model.deviation(self._home[:, None], tool_point)
-        self._largest = least
+        self._largest = {False: least, True: least}  # in feed motions; elsewhere
         self.found: SignCheck | None = None
 
     def use(self, tool_point: FloatArray) -> None:
@@ -113,14 +117,28 @@ class SignChecker:
         self._at_home = self._model.deviation(self._home[:, None], tool_point)
 
     def add(
-        self, path: Path, deviation: FloatArray, commands: FloatArray, lines: NDArray[np.int64], held: Held
-    ) -> None:
-        """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written."""
-        since = np.where(held.any(axis=0), 0.0, np.nan_to_num(deviation - self._at_home))
-        direction, point = np.unravel_index(np.argmax(np.abs(since)), since.shape)
-        if not abs(since[direction, point]) > self._largest:
-            return
-        self._largest = float(abs(since[direction, point]))
+        self, path: Path, deviation: FloatArray, commands: FloatArray, lines: NDArray[np.int64], left_out: Held,
+        datum: FloatArray,
+    ) -> None:  # fmt: skip
+        """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written; left_out:
+        (n,), points whose commands are not those of the compensation alone; datum: (3, 1), what corrections count from.
+
+        Points of feed motions come first: that is where the part is cut.
+        """
+        for rapid in (False, True):
+            none = left_out | (path.rapid != rapid)
+            since = np.where(none, 0.0, np.nan_to_num(deviation - self._at_home))
+            direction, point = np.unravel_index(np.argmax(np.abs(since)), since.shape)
+            size = float(abs(since[direction, point]))
+            if size > self._largest[rapid]:
+                self._largest = {True: np.inf, rapid: size} if not rapid else self._largest | {True: size}
+                self._note(path, deviation, commands, lines, (int(direction), int(point)), datum)
+
+    def _note(
+        self, path: Path, deviation: FloatArray, commands: FloatArray, lines: NDArray[np.int64],
+        place: tuple[int, int], datum: FloatArray,
+    ) -> None:  # fmt: skip
+        direction, point = place
         axes, at, written = self._model.axes, path.points[:, [point]], commands[:, [point]]
         moves = linear_jacobian(self._model, at, self._tool_point)[direction, :, 0]
         row = linear_rows(axes)[int(np.argmax(np.abs(moves)))]
@@ -132,10 +150,11 @@ class SignChecker:
             direction=LINEAR[direction],
             deviation=float(deviation[direction, point]),
             at_home=float(self._at_home[direction, 0]),
-            since_home=float(since[direction, point]),
+            since_home=float(deviation[direction, point] - self._at_home[direction, 0]),
             axis=axes[row],
             command=float(written[row, 0]),
             correction=float(moved[direction, 0]),
+            datum=float(datum[direction, 0]),
         )
 
 

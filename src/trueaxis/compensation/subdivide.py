@@ -15,7 +15,7 @@ from trueaxis.compensation.columns import MOST_CHORDS, PlainRun, chord_counts, c
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows
-from trueaxis.compensation.moves import Item, Move, Setup, Start, Zero
+from trueaxis.compensation.moves import Between, Item, Move
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import ToolAxis, angle
@@ -181,7 +181,7 @@ class Batch(NamedTuple):
 
     items: list[str | Move | PlainRun]
     following: Move | PlainRun | None = None
-    between: Start | Zero | Setup | None = None
+    between: Between | None = None
 
 
 def batches(
@@ -197,7 +197,7 @@ def batches(
             if load >= most:
                 yield Batch(batch, item if isinstance(item, Move | PlainRun) else None)
                 batch, load = [], 0.0
-            if isinstance(item, Start | Zero | Setup):
+            if isinstance(item, Between):
                 yield Batch(batch, between=item)
                 batch, load = [], 0.0
                 continue

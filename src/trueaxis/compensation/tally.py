@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing
-from trueaxis.compensation.elsewhere import Elsewhere, OffsetUse, offset_use, taken_back
+from trueaxis.compensation.datum import FromDatum
+from trueaxis.compensation.elsewhere import Elsewhere, taken_back
 from trueaxis.compensation.executed import Executed
+from trueaxis.compensation.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
 from trueaxis.compensation.logs import LineLog, Running
 from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled
 from trueaxis.compensation.moves import Notes, Setup
@@ -19,8 +21,8 @@ from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import SignChecker, senses_of
 from trueaxis.compensation.solve import PoseSolution, Solution, ToolAxis, angle
-from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.tracker import EffectNote
+from trueaxis.compensation.used import datum_of, offsets_used, tools_used
 from trueaxis.compensation.word_choice import bar_error, length
 
 STAGES = ("before", "solved", "after", "along")
@@ -60,6 +62,7 @@ class Tally:
         self._axis = ToolAxis(model, settings.tool_axis)
         self._model, self._setup = model, Setup()
         self.visited = {self._setup: Visited(model, self._tool_point)}  # by what was in force
+        self._off = np.zeros((3, 1))  # of the datum in force
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._controlled: PointControlled | None = None
@@ -70,17 +73,21 @@ class Tally:
         self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
+        self._parked, self._holes = LineLog(), Running()
         self._axes = model.axes
         self._elsewhere = Elsewhere(model.axes, settings)
 
-    def setup(self, setup: Setup, tool_point: FloatArray, controlled: PointControlled | None = None) -> None:
-        """Other work offsets or another tool, with its point (3, 1), from here on; controlled: the machine where
-        positions are those of the tip.
+    def setup(
+        self, setup: Setup, tool_point: FloatArray, model: ErrorModel, controlled: PointControlled | None = None
+    ) -> None:
+        """Other work offsets or another tool, with its point (3, 1), from here on; model: the machine from their datum;
+        controlled: the one where positions are those of the tip.
         """
         self._setup, self._tool_point, self._controlled = setup, tool_point, controlled
+        self._off = model.off if isinstance(model, FromDatum) else np.zeros((3, 1))
         self._sign.use(tool_point)
         if setup not in self.visited:
-            self.visited[setup] = Visited(self._model, tool_point)
+            self.visited[setup] = Visited(self._model, tool_point, datum_of(setup, self._axes, self._settings))
 
     def add(
         self,
@@ -109,7 +116,11 @@ class Tally:
         self._take_ups += int(path.halts.sum())
         self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
         self._not_converged.add(lines[~solved.converged])
-        self._out_of_travel.add(lines[done.point[done.stopped]])
+        stopped = np.zeros(path.size, dtype=bool)
+        stopped[done.point[done.stopped]] = True
+        parked = stopped & places.parking  # no cut: where exactly it ends matters to nothing
+        self._out_of_travel.add(lines[done.point[done.stopped & ~parked[done.point]]])
+        self._parked.add(lines[parked])
 
         index = np.arange(path.size)
         model = placing.at(index, np.ones(path.size))
@@ -118,7 +129,8 @@ class Tally:
         deviation, _ = self._stage("before", model, path.points, path.points, lines, target=target)
         moved = np.where(held, 0.0, written - path.points)
         if self._controlled is None:
-            self._sign.add(path, deviation, written, lines, held)
+            left_out = held.any(axis=0) | stopped | places.parking
+            self._sign.add(path, deviation + self._off, written, lines, left_out, self._off)
             self.visited[self._setup].add(path.origins, path.points, moved)
         else:
             origins, points = (
@@ -134,11 +146,25 @@ class Tally:
             self._stage(UNCOMMANDED, there, columns_of(written, rows), columns_of(path.points, rows), lines[rows])
             if self._controlled is None:
                 self._elsewhere.add(placing, path, places, lines, self._tool_point)
-            counted = index = index[~(waiting & path.rapid)]
+        if (silent := parked | (waiting & path.rapid)).any():
+            counted = index = index[~silent]
             model = placing.at(index, np.ones(index.size))
         if index.size:
             self._at_points(model, counted, path, solved, written, lines, places)
         self._along(path, done, lines, previous, settled, placing, places)
+
+    def hole(self, line: int, found: Drilled) -> None:
+        """A hole of a cycle that stays one: what holds at its middle counts, the rest of its depth is told apart."""
+        lines = np.full(3, line)
+        self._moves += 1
+        self._points += 1
+        self._vector["before"].add(length(found.before), lines)
+        after = length(found.error)
+        self._vector["after"].add(after[[MIDDLE]], lines[:1])
+        self._over_tolerance.add(lines[:1][~(after[[MIDDLE]] <= self._settings.tolerance)])
+        self._holes.add(after[[TOP, BOTTOM]].max(keepdims=True), lines[:1])
+        origins = np.full_like(found.programmed, np.nan)
+        self.visited[self._setup].add(origins, found.programmed, found.words - found.programmed)
 
     def _at_points(
         self,
@@ -227,6 +253,8 @@ class Tally:
             blocks_in=blocks_in,
             blocks_out=blocks_out,
             moves=self._moves,
+            kept_motions=notes.kept,
+            kept_holes=self._holes.summary(),
             points=self._points,
             short_blocks=self._short_blocks,
             take_ups=self._take_ups,
@@ -240,43 +268,20 @@ class Tally:
             not_converged=self._not_converged.lines(),
             over_tolerance=self._over_tolerance.lines(),
             out_of_travel=self._out_of_travel.lines(),
+            parked_at_end=self._parked.lines(),
             over_orientation=self._over_orientation.lines(),
             singular=self._singular.lines(),
             uncommanded=self._uncommanded.lines(),
             uncommanded_left=self._vector[UNCOMMANDED].summary(),
             unknown_places=self._elsewhere.rapids(),
             unnamed_feeds=self._elsewhere.feeds(),
-            offsets=self._offsets(),
-            tools=self._tools(),
+            offsets=offsets_used(self._model, self.visited, self._settings),
+            tools=tools_used(self.visited),
             effects=self._effects,
             senses=self._senses,
             sign_check=self._sign.found,
             passed=tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes=notes.texts(),
-        )
-
-    def _tools(self) -> tuple[ToolUse, ...]:
-        points = {setup.tool: visited.tool_point for setup, visited in self.visited.items() if visited.positions.size}
-        return tuple(
-            ToolUse(tool, (float(point[0, 0]), float(point[1, 0]), float(point[2, 0])))
-            for tool, point in points.items()
-            if tool
-        )
-
-    def _offsets(self) -> tuple[OffsetUse, ...]:
-        used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
-        for setup, visited in self.visited.items():
-            if setup.system and visited.positions.size:
-                used.setdefault(setup._replace(tool=None), []).append((visited.positions, visited.tool_point))
-        return tuple(
-            offset_use(
-                self._model,
-                places,
-                setup.system,
-                dict(zip(self._axes, setup.values, strict=True)),
-                np.array(setup.spread),
-            )
-            for setup, places in used.items()
         )
 
 

@@ -63,6 +63,14 @@ class Acting:
     time: float
     temperature: float
 
+    @property
+    def at_rest(self) -> ErrorModel:
+        """The machine at one position where its axes have not turned back, as where a datum is touched off."""
+        still = Context.at_rest(len(self.model.axes), 1)
+        return Placed.of_context(
+            self.model, replace(still, time=np.array([self.time]), temperature=np.array([self.temperature]))
+        )
+
 
 def acting(model: ErrorModel, settings: Settings) -> Acting | None:
     """The effects of a machine along a program; None where its errors depend on positions alone."""
@@ -136,9 +144,9 @@ class Tracker:
         if acting.reversing and settings.words != "nearest":
             notes.add(0, BACK_AND_FORTH)
 
-    def use(self, along: Along) -> None:
-        """Compare corrections otherwise from here on: another tool."""
-        self._along = along
+    def use(self, along: Along, model: ContextModel) -> None:
+        """Compare corrections otherwise from here on, on this machine: another tool, another datum."""
+        self._along, self._acting = along, replace(self._acting, model=model)
 
     def stand(self, position: FloatArray, kept: NDArray[np.bool_]) -> None:
         """Axes stand at a position (n_axes,) and have not moved yet, but for those that are kept as they were."""

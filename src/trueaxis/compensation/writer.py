@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.kept_arcs import NO_PIECES, Pieces
 from trueaxis.compensation.machine import LINEAR, FloatArray
-from trueaxis.compensation.moves import Move, Zero
+from trueaxis.compensation.moves import KeptHole, Move, Zero
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.run_text import RunBlocks
 from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
@@ -108,6 +108,17 @@ class BlockWriter:
             on_step = abs(value - round(value / step) * step) < _HOLDS
             words.append(f"{axis}{value:.7f}" if not on_step else form % value)
         return f"{block.lead}{block.gap.join(words)}{block.tail}"
+
+    def hole(self, hole: KeptHole, bottom: FloatArray, top: float) -> str:
+        """A hole of a cycle that stays one; bottom: (n_axes,), top: position of Z at R, mm, as words name them."""
+        shift = hole.shift or (0.0,) * len(self._axes)
+        words = []
+        for letter, axis in (("X", "X"), ("Y", "Y"), ("Z", "Z"), ("R", "Z")):
+            row = self._axes.index(axis)
+            step, form = self._formats[hole.inch][row]
+            value = (top if letter == "R" else float(bottom[row])) - shift[row]
+            words.append(letter + form[1:] % (round(value / (MM_PER_INCH if hole.inch else 1.0) / step) * step))
+        return f"{hole.lead}{hole.gap.join(words)}{hole.tail}{hole.eol}"
 
     def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
         if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):

@@ -19,6 +19,7 @@ from trueaxis.compensation.offsets import (
 )
 from trueaxis.compensation.settings import Arcs, BlockDelete, Dialect, Integers, Method, Orientation, WordChoice
 from trueaxis.compensation.tools import LONGEST, Tool, ToolTable, read_tools
+from trueaxis.compensation.touched_off import touched_off_of_option
 from trueaxis.jobs.load import AnyPath
 from trueaxis.machine.machine import AXES
 
@@ -37,7 +38,9 @@ class CompensationSettings(TypedDict, total=False):
     of tool_axis: its direction, tool frame (0, 0, 1). start: axis positions before the first block, those known.
     temperature (degC), time (s): for effects that depend on them. block_delete: motions in / blocks are a "fault",
     "run", or to "skip"; dialect: "fanuc", "linuxcnc", "siemens" or "heidenhain"; integers: what a number without a
-    decimal point counts, "mm" or "least-increment"; pass_m: M codes that move nothing on this control.
+    decimal point counts, "mm" or "least-increment"; pass_m: M codes that move nothing on this control. touched_off:
+    work offsets that were touched off without compensation, each as --touched-off takes it ("G54=L120"); keep_g53:
+    motions in machine coordinates stay as they are.
     """
 
     tolerance: float
@@ -59,6 +62,8 @@ class CompensationSettings(TypedDict, total=False):
     dialect: Dialect
     integers: Integers
     pass_m: Sequence[int]
+    touched_off: Sequence[str]
+    keep_g53: bool
 
 
 def settings_of(given: CompensationSettings) -> dict[str, Any]:
@@ -77,6 +82,8 @@ def settings_of(given: CompensationSettings) -> dict[str, Any]:
             settings[name] = _vector(name, settings[name])
     if "start" in settings:
         settings["start"] = {axis: _number(f"start[{axis!r}]", at) for axis, at in dict(settings["start"]).items()}
+    if "touched_off" in settings:
+        settings["touched_off"] = tuple(map(touched_off_of_option, settings["touched_off"]))
     if "pass_m" in settings:
         settings["pass_m"] = _codes(settings["pass_m"])
     return settings

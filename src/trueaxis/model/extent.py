@@ -20,7 +20,7 @@ _TAKES_PART = 1e-6  # share of an open combination from which a component belong
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyExtent:
-    """Of the tool point at a number of positions, relative to home.
+    """Of the tool point at a number of positions, relative to `datum`: home, or what else is named.
 
     points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none),
     at the position largest_at (n_axes,), mm or deg;
@@ -51,6 +51,7 @@ class UncertaintyExtent:
     largest_at: tuple[float, ...] = ()
     largest_u_estimated: float | None = None
     undetermined: bool = False
+    datum: str = "home"
 
     @property
     def counted(self) -> float:
@@ -72,15 +73,22 @@ class UncertaintyExtent:
 
 
 def uncertainty_extent(
-    model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray
+    model: MachineModel,
+    covariance: Covariance,
+    positions: FloatArray,
+    tool: FloatArray,
+    datum: tuple[str, FloatArray] | None = None,
 ) -> UncertaintyExtent:
-    """The largest uncertainty over positions (n_axes, n), mm or deg, of the point `tool` (3, 1), mm, datum home."""
+    """The largest uncertainty over positions (n_axes, n), mm or deg, of the point `tool` (3, 1), mm; datum: name and
+    axis positions (n_axes, 1) of the place that it is relative to; None: home.
+    """
+    name, place = datum or ("home", home_of(model))
     context = after_reversals(model, positions)
-    uncertainty = tool_uncertainty(model, covariance, positions, tool, datum=home_of(model), context=context)
+    uncertainty = tool_uncertainty(model, covariance, positions, tool, datum=place, context=context)
     at_home = tool_uncertainty(model, covariance, home_of(model), tool, datum=None)
     known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
     rests = (uncertainty.open > 0.0).any(axis=0)
-    moved = model.deviation(positions, tool) - model.deviation(home_of(model), tool)
+    moved = model.deviation(positions, tool) - model.deviation(place, tool)
     told = ~np.isnan(uncertainty.u).any(axis=0)
     of_readings = np.sqrt(np.clip(known**2 - np.nan_to_num(uncertainty.u_prior) ** 2, 0.0, None))
     return UncertaintyExtent(
@@ -101,6 +109,7 @@ def uncertainty_extent(
         if uncertainty.u_estimated is None
         else float(np.nan_to_num(uncertainty.u_estimated).max(initial=0.0)),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
+        datum=name,
     )
 
 

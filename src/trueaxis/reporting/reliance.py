@@ -148,7 +148,8 @@ def program_sentences(reliance: Reliance) -> list[str]:
     if reliance.at_home > NOTICEABLE:
         found.append(
             f"at home the error values displace this tool point by {_um(reliance.at_home)}, which compensation "
-            "corrects as well: set work offsets with compensated positions"
+            "corrects as well; a work offset that was touched off without compensation does not know of it: see what "
+            "is said of the zero of each work offset"
         )
     if reliance.largest_turn > 0.0 and reliance.allowed_turn is not None:
         found.append(
@@ -215,7 +216,8 @@ def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:
         return []
     return [
         f"the corrections are {_um(extent.correction_rms)}, and their uncertainty from the noise of the readings is "
-        f"{_um(extent.u_readings_rms)} (root mean squares where it is known, from home): no better than doing nothing"
+        f"{_um(extent.u_readings_rms)} (root mean squares where it is known, from {extent.datum}): no better than "
+        "doing nothing"
     ]
 
 
