@@ -184,3 +184,41 @@ def test_a_program_that_moves_nothing_is_not_good(bench: Bench) -> None:
     assert "not good, exit code 1: nothing in the program moves an axis" in str(bench.report)
     bench.run("G21 G90\nG91 G28 Z0.\nM30\n")
     assert bench.report.good
+
+
+def test_words_in_inch_have_the_decimals_that_the_control_reads(bench: Bench) -> None:
+    """Least increments of 0.0001 inch on Fanuc (IS-B), where more decimals are lost."""
+    cuts = "".join(f"X{n / 7:.4f} Y{n / 11:.4f} Z{n / 13:.4f}\n" for n in range(9, 30))
+    source = f"G20 G90 G54\nG0 X1. Y1. Z0.\nG1 X2. F9.\n{cuts}"
+    for dialect, step, decimals in (("fanuc", None, 4), ("linuxcnc", None, 5), ("fanuc", 0.00001, 5)):
+        text = bench.run(source, paper_sized(3.0), dialect=dialect, offsets=G54, inch_resolution=step).decode()
+        assert {len(found) for found in re.findall(r"[XYZ]-?\d+\.(\d+)", text)} == {decimals}
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54)
+    assert "words of 0.0001 inch are up to 2.2 um off, more than the tolerance" in str(bench.report)
+    assert not bench.report.good
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, tolerance=0.0025)
+    assert bench.report.good
+
+
+def test_an_arc_stays_one_while_z_was_never_commanded(bench: Bench) -> None:
+    """Laser, plasma, water jet: Z gets no word, and the arc is one in its plane."""
+    source = "G21 G90\nG0 X300. Y100.\nG1 X250. F1000.\nY200.\nG2 X260. Y210. I10. J0.\nG0 X0. Y0.\nM2\n"
+    text = bench.run(source, paper_sized(3.0), arcs="keep", start={"Z": 20.0}).decode()
+    assert "Z" not in text
+    assert 1 <= len(re.findall(r"(?m)^G2 X", text)) <= 3
+    assert len(text.splitlines()) < 12
+    # every piece goes round the arc that it is to be: ends and middles, by a machine and a reader of words apart
+    at, worst = np.array([250.0, 200.0]), 0.0
+    machine = paper_sized(3.0)
+    for line in text.splitlines():
+        found = {letter: float(value) for letter, value in re.findall(r"([XYIJ])([-+]?[\d.]+)", line)}
+        end = np.array([found.get("X", at[0]), found.get("Y", at[1])])
+        if line.startswith("G2 "):
+            centre = at + np.array([found["I"], found["J"]])
+            half = (at - centre) + (end - centre)
+            middle = centre + half / np.linalg.norm(half) * np.linalg.norm(at - centre)
+            for x, y in (middle, end):
+                tool = machine.actual(np.array([[x], [y], [20.0]]), ORIGIN)[:, 0] * [1.0, -1.0, 1.0]
+                worst = max(worst, abs(float(np.linalg.norm(tool[:2] - [260.0, 200.0])) - 10.0))
+        at = end
+    assert 0.0 < worst <= 0.0015

@@ -22,7 +22,7 @@ from trueaxis.jobs.compensate import as_faults, notes_of, notes_of_draws, of_mac
 from trueaxis.jobs.drawn_program import Remembering, drawn_program
 from trueaxis.jobs.draws import faults_of_draws
 from trueaxis.jobs.given import check_fit
-from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten, without_folder
 from trueaxis.measurement.table import table_bytes
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
@@ -108,7 +108,8 @@ def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--resolution", type=float, default=default.resolution, metavar="MM",
                         help="step of words written in mm (default %(default)s)")  # fmt: skip
     parser.add_argument("--inch-resolution", type=float, default=default.inch_resolution, metavar="INCH",
-                        help="step of words written under G20 (default 0.00001)")  # fmt: skip
+                        help="step of words written under G20 (default 0.00001; 0.0001 with "
+                        "--dialect fanuc)")  # fmt: skip
     parser.add_argument("--rotary-resolution", type=float, default=default.rotary_resolution, metavar="DEG",
                         help="step of words of rotary axes (default %(default)s)")  # fmt: skip
     parser.add_argument("--chord-tolerance", type=float, default=default.chord_tolerance, metavar="MM",
@@ -155,6 +156,9 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
                         help="unit of numbers without a decimal point: mm (inch, deg), or least increments of "
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm if --dialect is linuxcnc, siemens or "
                         "heidenhain, else such a number is a fault")  # fmt: skip
+    parser.add_argument("--peck-return", type=float, default=default.peck_return, metavar="MM",
+                        help="how far G73 and G83 go back, and before the cut goes on, where they are written out "
+                        "(default %(default)s, as on LinuxCNC)")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control; 0, 1 or 6: where axes stay "
                         "at stops or tool changes, so that they need not be commanded again")  # fmt: skip
@@ -253,7 +257,7 @@ def run(args: argparse.Namespace) -> int:
         option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
     }
     outputs = {"--out": args.out, "--report": args.report, "--draws-out": args.draws_out}
-    found = overwritten(inputs, outputs, args.kernels)
+    found = overwritten(inputs, outputs, args.kernels) + without_folder(outputs)
     draws = draws_of(args, found)
     with gathering(found):
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)

@@ -19,9 +19,6 @@ from trueaxis.compensation.nc_lexer import Block, Meaning, due_at_end
 from trueaxis.compensation.nc_state import NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.plain_text import LETTERS, PlainText
 
-# The way back that breaks the chip (G73) and the way before the cut goes on (G83): LinuxCNC's 0.010 inch; on a Fanuc
-# control a parameter.
-CLEARANCE = 0.254  # mm
 MOST_PECKS = 10_000
 
 RAPID, FEED, DWELL, SPINDLE_STOP, SPINDLE_START = range(5)
@@ -32,16 +29,21 @@ MOST_MOTIONS = 16384  # of a run: a batch
 _BLANK = np.isin(np.arange(256), [ord(" "), ord("\t")])
 
 
-def steps(code: int, r: float, bottom: float, clear: float, peck: float, dwells: bool) -> Iterator[Step]:
-    """What a cycle does in one hole, from R on; r, bottom, clear (where it ends), peck: mm, machine coordinates."""
+def steps(
+    code: int, r: float, bottom: float, clear: float, peck: tuple[float, float], dwells: bool
+) -> Iterator[Step]:  # fmt: skip
+    """What a cycle does in one hole, from R on; r, bottom, clear (where it ends): mm, machine coordinates; peck: how
+    deep, and how far back, mm.
+    """
+    deep, back = peck
     if code in (730, 830):
-        depth = r - peck
+        depth = r - deep
         while depth > bottom + 1e-9:
             yield FEED, depth
             if code == 830:
                 yield RAPID, r
-            yield RAPID, depth + min(CLEARANCE, r - depth)
-            depth -= peck
+            yield RAPID, depth + min(back, r - depth)
+            depth -= deep
     yield FEED, bottom
     if dwells and code in (820, 860, 890):
         yield DWELL, bottom

@@ -31,6 +31,7 @@ from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
 from trueaxis.compensation.nc_reader import NcReader
 from trueaxis.compensation.nc_tools import IN_SPINDLE
+from trueaxis.compensation.overview import overview
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
@@ -210,9 +211,10 @@ def compensated(
         notes.add(0, UNROLLED)
         if made.tool is not None:
             notes.add(0, IN_SPINDLE.format(made.tool))
-    if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
-        notes.add(0, RECOGNISED.format(NAMES[dialect]))
-        settings = replace(settings, dialect=dialect)
+    said, seen = settings.dialect, dialect_of(head_of(program)) if language == "nc" else None
+    if said is None and seen is not None:
+        notes.add(0, RECOGNISED.format(NAMES[seen]))
+        settings = replace(settings, dialect=seen)
     compensator = Compensator(model, settings, faults, notes, changes)
     klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
     read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
@@ -228,8 +230,10 @@ def compensated(
                 written.write(piece.encode("latin-1"))
                 blocks_out += piece.count("\n")
                 ends_whole = piece.endswith("\n")
-    faults.raise_if_any()
+    faults.raise_if_any(overview(faults, model, said, seen))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+    if via_linuxcnc is not None:  # its words are in machine coordinates, whatever G59.3 is called there
+        report = replace(report, offsets=())
     if judge is not None:
         report = replace(report, reliance=judge(compensator.visited))
     return replace(report, blocks_out=0) if report.refused else report

@@ -61,7 +61,7 @@ class Stretch:
 
 def word_steps(axes: tuple[str, ...], settings: Settings, inch: bool) -> FloatArray:
     """Step of each axis' words in mm or deg, (n_axes, 1)."""
-    linear = settings.inch_resolution * MM_PER_INCH if inch else settings.resolution
+    linear = settings.inch_step * MM_PER_INCH if inch else settings.resolution
     return np.array([[linear if axis in LINEAR else settings.rotary_resolution] for axis in axes])
 
 
@@ -116,6 +116,7 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
         positions, owner = _passed(path, model, tool_point)
         model = model.base
     low, high = _limits(model)
+    _note_reach(positions[:, ~moves.in_machine[owner]], model.axes, faults)
     outside = (positions < low - _ROUNDING) | (positions > high + _ROUNDING)
     if positions is path.points:
         outside &= path.points != path.origins
@@ -125,11 +126,20 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
         axis, line = model.axes[row], int(lines[owner[point]])
         if faults.unplaced is not None and line >= faults.unplaced:
             return
+        faults.outside[axis] += 1
         faults.add(
             line,
             f"{axis} = {positions[row, point]:g} is outside its travel",
             f"from {low[row, 0]:g} to {high[row, 0]:g}",
         )
+
+
+def _note_reach(positions: FloatArray, axes: tuple[str, ...], faults: FaultLog) -> None:
+    """Take in how far each axis goes; positions: (n_axes, n), mm and deg."""
+    for axis, of_axis in zip(axes, positions, strict=True):
+        before = faults.reach.get(axis, (np.inf, -np.inf))
+        low, high = float(of_axis.min(initial=np.inf)), float(of_axis.max(initial=-np.inf))
+        faults.reach[axis] = (min(before[0], low), max(before[1], high))
 
 
 def inside_travel(

@@ -1,5 +1,7 @@
 """What is gathered while a program is read: faults, the first ones kept, lines, means and extremes of values."""
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -104,14 +106,18 @@ KEPT = 49  # with the count of all, 50 messages
 @dataclass(slots=True)
 class FaultLog:
     """Gathers the faults of a program by line, keeping the text of the first `KEPT` found: a program may be garbage
-    of any length. unplaced: the first line from which on it is not known where the work offset's zero is, and so no
-    position; None where that is known throughout.
+    of any length. unplaced: the first line from which on positions are not known, as it is not where the work offset's
+    zero is; None where they are known throughout. macros: blocks with macros and the like. reach: lowest and highest
+    position of each axis by letter; outside: how many blocks take it out of its travel.
     """
 
     file: str
     count: int = 0
     kept: list[tuple[int, Fault]] = field(default_factory=list)
     unplaced: int | None = None
+    macros: int = 0
+    reach: dict[str, tuple[float, float]] = field(default_factory=dict)
+    outside: Counter[str] = field(default_factory=Counter)
 
     def add(self, line: int, problem: str, remedy: str = "") -> None:
         """Note a fault of one line (from 1; 0 for the program as a whole) and go on."""
@@ -124,11 +130,13 @@ class FaultLog:
         self.add(line, problem, remedy)
         self.unplaced = line if self.unplaced is None else min(line, self.unplaced)
 
-    def raise_if_any(self) -> None:
-        """Raise InputError with the kept faults in the order of lines, and the number of all if there are more."""
+    def raise_if_any(self, first: Sequence[Fault] = ()) -> None:
+        """Raise InputError with the kept faults in the order of lines, and the number of all if there are more; first:
+        what is said before them.
+        """
         if not self.count:
             return
-        found = [fault for _, fault in sorted(self.kept, key=lambda entry: entry[0])]
+        found = [*first, *(fault for _, fault in sorted(self.kept, key=lambda entry: entry[0]))]
         if self.count > KEPT:
             found.append(Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown"))
         raise InputError(found)

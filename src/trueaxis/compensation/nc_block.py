@@ -12,6 +12,7 @@ _ONCE = frozenset("XYZABCIJKRFSTN")
 _PARAMETERS = frozenset("PQLE")
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
+TO_PLC = "goes to the machine's own control (PLC), and is taken to move no axis"
 _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
 # what a code sets of a Meaning, and to what
 _SETTING: dict[int, tuple[str, int | bool | str]] = {
@@ -139,8 +140,8 @@ def _only_on(dialect: str, code: int, name: str, meaning: Meaning) -> bool:
         _set(meaning, "inch", codes.INCH_ON[dialect][code], name)
     elif code in codes.POINT_CONTROL_ON.get(dialect, ()):
         meaning.length_code, meaning.point_control = codes.TAKE_LENGTH, True
-    elif dialect == "siemens" and name == codes.MACHINE_FRAME:
-        _set(meaning, "system", codes.MACHINE_FRAME, name)
+    elif dialect == "siemens" and (name == codes.MACHINE_FRAME or (code > codes.FURTHER_SYSTEMS and system_name(name))):
+        _set(meaning, "system", name, name)
     elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
         meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
     elif code in codes.KEPT_CYCLES_ON.get(dialect, ()):
@@ -196,6 +197,8 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...], edges: b
         meaning.program_number = True
     elif letter == "D" and edges:
         _edge(word, meaning)
+    elif letter == "H" and edges:
+        meaning.notes.append(f"H{word.value:g} {TO_PLC}")
     else:
         _number_of_code(word, meaning)
 

@@ -27,6 +27,7 @@ TAKE_LENGTH, GIVE_LENGTH, END_LENGTH = 430, 431, 490  # G43, G43.1, G49
 TO_REFERENCE, TO_SECOND_REFERENCE = 280, 300  # G28, G30
 SHIFT_TO, SHIFT_BY = -1, -2  # TRANS and ATRANS of SINUMERIK
 MACHINE_FRAME = "G500"  # no work offset (SINUMERIK)
+FURTHER_SYSTEMS = 5000  # G505 to G599 are further work offsets there
 WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH, TO_REFERENCE, TO_SECOND_REFERENCE})
 CYCLES = frozenset({730, 810, 820, 830, 850, 860, 890})  # drilling and boring, followed
 # tapping (G74 left, G84 right, G84.2 G84.3 rigid) and fine boring: motions that depend on the spindle and on parameters

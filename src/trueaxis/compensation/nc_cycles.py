@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.cycle_blocks import (
-    CLEARANCE,
     DWELL,
     FEED,
     MOST_PECKS,
@@ -29,7 +28,9 @@ MOST_REPEATS = 10_000
 KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
 STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
-PECKS = f"pecks go back by {CLEARANCE:g} mm, as on LinuxCNC; on other controls a parameter says by how much"
+PECKS = (
+    "pecks go back by {:g} mm: on LinuxCNC by 0.254 mm, on other controls a parameter says by how much (--peck-return)"
+)
 
 
 class CycleError(Exception):
@@ -75,7 +76,7 @@ class CycleReader:
             return self._kept_hole(number, line, body, block, meaning, cycle)
         self._notes.add(number, WRITTEN_OUT)
         if cycle.pecks:
-            self._notes.add(number, PECKS)
+            self._notes.add(number, PECKS.format(self._settings.peck_return))
         writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
         self._holes(cycle, meaning, writer)
         return writer.finished()
@@ -257,7 +258,7 @@ class CycleReader:
     def _steps(self, cycle: Cycle, r: float, bottom: float, clear: float) -> Iterator[tuple[Kind | str, float]]:
         """What is done in a hole from R on: motions of the axis that drills, with their ends, and blocks between."""
         said = {DWELL: f"G4{self._state.gap}P{cycle.dwell}", SPINDLE_STOP: "M5", SPINDLE_START: self._state.spindle}
-        peck = cycle.peck * self._state.scale(self._depth)
+        peck = (cycle.peck * self._state.scale(self._depth), self._settings.peck_return)
         for what, z in steps(cycle.code, r, bottom, clear, peck, bool(cycle.dwell)):
             yield (Kind.LINE if what == FEED else Kind.RAPID if what == RAPID else said[what]), z
 
@@ -287,4 +288,4 @@ class CycleReader:
         """Note further holes from a line on."""
         self._notes.add(number, WRITTEN_OUT, holes)
         if self._state.cycle is not None and self._state.cycle.pecks:
-            self._notes.add(number, PECKS, holes)
+            self._notes.add(number, PECKS.format(self._settings.peck_return), holes)

@@ -23,6 +23,9 @@ _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
 _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
 
 
+_CORNER = re.compile(r",[ \t]*+[RC]", re.IGNORECASE)
+
+
 class Word(NamedTuple):
     """An address and its value; start and end are the place in the block, decimals the digits written after the decimal
     point, None where there is none.
@@ -45,6 +48,7 @@ class Block(NamedTuple):
 
     words: tuple[Word, ...]
     problem: str
+    macro: bool = False  # whether that is a macro, a variable or an expression
 
 
 def lex(body: str, begin: int = 0) -> Block:
@@ -54,7 +58,7 @@ def lex(body: str, begin: int = 0) -> Block:
     while place < len(body):
         token = _TOKEN.match(body, place)
         if token is None:
-            return Block(tuple(words), _complaint(body, place))
+            return Block(tuple(words), _complaint(body, place), _is_macro(body, place))
         if token[2]:
             value = float(token[3])
             if abs(value) > LARGEST:
@@ -86,15 +90,21 @@ def active_comment(text: str, after_words: bool) -> str:
     return ""
 
 
+def _is_macro(body: str, place: int) -> bool:
+    return body[place] != "(" and bool(_MACRO.search(body, place))
+
+
 def _complaint(body: str, place: int) -> str:
     column = f"column {place + 1}"
     sign = body[place]
     if sign == "(":
         return f"{column}: a comment that is not closed, or holds another"
-    if _MACRO.search(body, place):
+    if _is_macro(body, place):
         return f"{column}: {body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
     if sign.isascii() and sign.isalpha():
         return f"{column}: address {sign} without a number"
+    if _CORNER.match(body, place):
+        return f"{column}: {body[place : place + 10]!r} rounds or chamfers a corner: write it as an arc or a line"
     return f"{column}: {sign!r} does not belong in a block"
 
 

@@ -99,7 +99,7 @@ class ModeReader:
         elif self._settings.undotted is None and not self._undotted_said:
             self._undotted_said = True
             letters = " ".join(sorted(meaning.undotted))
-            self._faults.add(
+            self._faults.add_unplaced(
                 number,
                 f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
                 "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",

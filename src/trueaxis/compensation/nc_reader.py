@@ -138,6 +138,7 @@ class NcReader:
     def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """A block: what it sets, and its moves if it has some."""
         state = self._state
+        self._faults.macros += block.macro
         for problem, remedy in meaning.complaints:
             self._faults.add(number, problem, remedy)
         self._modes.take(number, meaning)

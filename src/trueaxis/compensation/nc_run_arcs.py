@@ -24,6 +24,7 @@ from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.nc_lexer import decimals_of
 from trueaxis.compensation.nc_modes import undotted_decimals
 from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.path import holds_arc
 from trueaxis.compensation.plain_text import LETTERS, PlainText
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
@@ -76,7 +77,8 @@ class ArcReader:
                 (words[LINEAR.index(across)] == 0.0) & radii_fit(*end_radii(start, end, about, normal), allowed),
             )
             sweep = sweep_between(start, end, centre, normal)
-        stays = self._settings.arcs == "keep" and not any(state.commanded.held[state.absolute])
+        turns_about = [float(axis == across) for axis in LINEAR]
+        stays = self._settings.arcs == "keep" and not holds_arc(state.commanded.held[state.absolute], turns_about)
         arcs = Arcs(
             index=number, centre=np.array(centre), normal=np.array(normal), sweep=sweep, by_radius=by_radius,
             kept=np.full(number.size, stays),

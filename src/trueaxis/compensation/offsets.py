@@ -16,7 +16,8 @@ from trueaxis.machine.fields import Fields, shown
 # of G54 to G59.3 of LinuxCNC in the order of their numbers; G54.1 P1 and on are Fanuc's
 NUMBERED = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
 _NAME = re.compile(r"G0*(5[4-9](?:\.[1-3])?)(?:\s*P0*(\d{1,3}))?", re.IGNORECASE)
-RIGHT_NAME = "G54 to G59, G59.1 to G59.3, or G54.1P1 and on"
+_FURTHER = re.compile(r"G5(?:0[5-9]|[1-9]\d)", re.IGNORECASE)  # of SINUMERIK
+RIGHT_NAME = "G54 to G59, G59.1 to G59.3, G54.1P1 and on, or G505 to G599"
 LARGEST = 1e5  # mm, deg: as positions
 
 Range = tuple[float, float]  # lowest and highest value, mm or deg; the same where it is known
@@ -41,6 +42,8 @@ class Offsets:
 def system_name(text: str) -> str | None:
     """The name of a work offset as `G54`, `G59.1` or `G54.1 P3`; None if it is none."""
     match = _NAME.fullmatch(text.strip())
+    if _FURTHER.fullmatch(text.strip()):
+        return text.strip().upper()
     if match is None:
         return None
     number, place = match.groups()

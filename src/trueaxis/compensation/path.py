@@ -52,6 +52,15 @@ def standing(positions: FloatArray, held: Held, previous: FloatArray) -> FloatAr
     return np.where(last >= 0, before, previous[:, None])
 
 
+def holds_arc(held: Sequence[bool], normal: Sequence[float]) -> bool:
+    """Whether an axis without a word keeps an arc from staying one: any but the linear one across its plane.
+
+    held: of each axis, X Y Z first; normal: of the arc.
+    """
+    across = max(range(len(LINEAR)), key=lambda row: abs(normal[row]))
+    return any(one for row, one in enumerate(held) if row != across)
+
+
 class MoveTable:
     """Moves one by one and in runs, in order; `axes` of them. items: as they came."""
 
@@ -91,7 +100,7 @@ class MoveTable:
                     [arc for _, _, arc in round_ones],
                     [index for index, _, _ in round_ones],
                     [move.round is not None and move.round.centre == "radius" for _, move, _ in round_ones],
-                    [move.round is not None and not any(move.held) for _, move, _ in round_ones],
+                    [move.round is not None and not holds_arc(move.held, arc.normal) for _, move, arc in round_ones],
                 )
             else:
                 of_part = part.arcs

@@ -136,6 +136,7 @@ class Compensator:
         if hole.begins:
             self._level = float(self._written[row])
         self._tally.hole(hole.line, found)
+        self._tally.units("inch" if hole.inch else "mm")
         if self._changes is not None:
             self._changes.add(np.full(3, hole.line), found.programmed, found.words)
         self._programmed, self._written = found.programmed[:, BOTTOM].copy(), found.words[:, BOTTOM].copy()
@@ -200,6 +201,7 @@ class Compensator:
         places = Places(waiting, columns_of(moves.elsewhere, of), columns_of(moves.unnamed, of), parking)
         shift = columns_of(moves.shift, of)
         kinds = list(stretches(absolute, inch, shift, axes, settings))
+        self._tally.units(*(unit for unit, some in (("inch", inch.any()), ("mm", not inch.all())) if some))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
         last_of_move = np.append(np.diff(path.owner) > 0, True)

@@ -1,6 +1,7 @@
 """What a compensation did; and, for who asks for it, what it changed point by point, which grows with the program."""
 
 import json
+import math
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -10,7 +11,7 @@ from trueaxis.compensation.elsewhere import OffsetUse, UnknownPlaces, UnnamedFee
 from trueaxis.compensation.logs import Lines, Summary
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.reliance import Reliance
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
 from trueaxis.compensation.sign_check import Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.tracker import EffectNote
@@ -69,11 +70,12 @@ class PassedCode:
 class CompensationReport:
     """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
 
-    blocks_in, blocks_out: lines read and written. moves: blocks that move; kept_motions: those that --keep-g53 left as
-    they are, and G28 and G30; kept_holes: holes of cycles that stay cycles, and the error at the worse end of each, mm,
-    which no word can take back; points: their ends with those of chords and
-    cuts; short_blocks: points passed within a block of their own. take_ups: blocks that take up what a reversal
-    changes; they are no part of `along`, the tool stands in them. iterations[k]: points that took k corrections.
+    blocks_in, blocks_out: lines read and written. units: of the words, mm and inch. moves: blocks that move;
+    kept_motions: those that --keep-g53 left as they are, and G28 and G30; kept_holes: holes of cycles that stay
+    cycles, and the error at the worse end of each, mm, which no word can take back; points: their ends with those
+    of chords and cuts; short_blocks: points passed within a block of their own. take_ups: blocks that take up what
+    a reversal changes; they are no part of `along`, the tool stands in them. iterations[k]: points that took k
+    corrections.
     before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
@@ -99,6 +101,7 @@ class CompensationReport:
     settings: Settings
     blocks_in: int
     blocks_out: int
+    units: tuple[str, ...]
     moves: int
     kept_motions: int
     kept_holes: Summary | None
@@ -173,6 +176,19 @@ class CompensationReport:
         """Whether nothing was written, as it would rely on too little."""
         return self.reliance is not None and self.reliance.refused
 
+    def _coarse_words(self) -> list[str]:
+        """Where the rounding of words alone passes the tolerance, so that no compensation can reach it."""
+        settings, found = self.settings, []
+        for inch in (False, True) if self.over_tolerance.points else ():
+            step, unit = (settings.inch_step, "inch") if inch else (settings.resolution, "mm")
+            off = 0.5 * math.sqrt(3.0) * step * (MM_PER_INCH if inch else 1.0)
+            if off > settings.tolerance and unit in self.units:
+                found.append(
+                    f"words of {step:g} {unit} are up to {1e3 * off:.1f} um off, more than the tolerance: it cannot be "
+                    "reached everywhere with these words"
+                )
+        return found
+
     def to_json(self) -> str:
         """The report as JSON; `settings.start` as an object of axis positions."""
         tree = asdict(self)
@@ -201,6 +217,7 @@ class CompensationReport:
             corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
             lines.append(f"orientation of the tool axis, {corrected} (urad)")
             lines.extend(_rows(self.orientation))
+        lines.extend(self._coarse_words())
         for name, found in (
             ("not converged", self.not_converged),
             ("above tolerance", self.over_tolerance),

@@ -19,7 +19,12 @@ Dialect = Literal["fanuc", "linuxcnc", "siemens", "heidenhain"]
 Integers = Literal["mm", "least-increment"]
 
 MM_PER_INCH = 25.4
+_MOST = {
+    "tolerance": 1.0, "resolution": 1.0, "inch_resolution": 1.0, "rotary_resolution": 1.0, "chord_tolerance": 1.0,
+    "peck_return": 100.0,
+}  # fmt: skip
 LEAST_MM, LEAST_INCH, LEAST_DEG = 0.001, 0.0001, 0.001  # least increments, ISO 6983-1 controls of the common class IS-B
+FINE_INCH = 0.00001  # five decimals
 WHOLE_MILLIMETRES = frozenset({"linuxcnc", "siemens", "heidenhain"})  # controls on which X100 can only be 100 mm
 
 
@@ -28,7 +33,8 @@ class Settings:
     """Lengths mm, angles deg.
 
     tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation.
-    resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written.
+    resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written; inch_resolution
+    None: what controls of the dialect read, see `inch_step`.
     chord_tolerance: largest distance of an arc from the chords that replace it.
     arcs: whether arcs stay arcs where they can, see kept_arcs, or all become `chords`.
     method: `iterative` repeats Eq. (55); `ordinary` applies it once.
@@ -45,6 +51,7 @@ class Settings:
     before the program, None: not known. touched_off: work offsets that were touched off without compensation, see
     datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine positions to which `G28`
     and `G30` go.
+    peck_return: the way back that breaks the chip (G73), and before the cut goes on (G83): LinuxCNC's 0.010 inch.
     judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
@@ -54,7 +61,7 @@ class Settings:
 
     tolerance: float = 0.001
     resolution: float = 0.001
-    inch_resolution: float = 0.00001
+    inch_resolution: float | None = None
     rotary_resolution: float = 0.0001
     chord_tolerance: float = 0.0005
     arcs: Arcs = "keep"
@@ -77,6 +84,7 @@ class Settings:
     touched_off: tuple[TouchedOff, ...] = ()
     keep_g53: bool = False
     reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    peck_return: float = 0.254
     judged: bool = False
     temperature: float | None = None
     time: float | None = None
@@ -91,12 +99,19 @@ class Settings:
         """What a number without a decimal point counts; None: not known, a Fanuc control's parameter decides."""
         return self.integers or ("mm" if self.dialect in WHOLE_MILLIMETRES else None)
 
+    @property
+    def inch_step(self) -> float:
+        """Step of words in inch: least increments of IS-B where the control is Fanuc's, finer elsewhere."""
+        if self.inch_resolution is not None:
+            return self.inch_resolution
+        return LEAST_INCH if self.dialect == "fanuc" else FINE_INCH
+
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""
-        for name in ("tolerance", "resolution", "inch_resolution", "rotary_resolution", "chord_tolerance"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and 0.0 < value <= 1.0):
-                yield f"{name} is {value:g}; it must be above 0 and at most 1"
+        for name, most in _MOST.items():
+            value = self.inch_step if name == "inch_resolution" else getattr(self, name)
+            if not (math.isfinite(value) and 0.0 < value <= most):
+                yield f"{name} is {value:g}; it must be above 0 and at most {most:g}"
             elif name.endswith("resolution"):
                 try:
                     decimals(value)

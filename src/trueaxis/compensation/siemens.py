@@ -19,6 +19,16 @@ _PLAIN = re.compile(rf"([A-Za-z])[ \t]*+({NUMBER})(?![ \t]*+=)")
 _KEYWORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*+")
 _ARGUMENTS = re.compile(r"[ \t]*+\([^()\"]*+(?:\"[^\"]*+\"[^()\"]*+)*\)")
 _ADIS = re.compile(rf"(?:ADIS|ADISPOS)[ \t]*+=[ \t]*+{NUMBER}", re.IGNORECASE)
+_DEFINITION = re.compile(
+    r"DEF[ \t]++(?:REAL|INT|BOOL|CHAR|AXIS|FRAME|STRING[ \t]*+\[[ \t]*+\d++[ \t]*+\])[ \t]++"
+    r"[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?(?:,[ \t]*+[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?)*+(?=;|$)",
+    re.IGNORECASE,
+)
+_SPINDLE_TURNS = re.compile(
+    rf"SPOSA?[ \t]*+(?:\[[ \t]*+\d++[ \t]*+\])?[ \t]*+=[ \t]*+"
+    rf"(?:{NUMBER}|(?:AC|IC|DC|ACP|ACN)[ \t]*+\([ \t]*+{NUMBER}[ \t]*+\))(?![\w(*/+.$-])",
+    re.IGNORECASE,
+)
 _STATEMENT = re.compile(r"(?:R[0-9]++|\$\w++|[A-Za-z_]\w*+)[ \t]*+(?:\[[^\]]*+\])?[ \t]*+=")
 
 # a spindle's speed and direction: no axis; what a word with another spindle's number may say
@@ -50,7 +60,7 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
     place = begin
     problem = ""
     while place < len(body) and not problem:
-        if passed := _BLANK.match(body, place) or _COMMENT.match(body, place) or _ADIS.match(body, place):
+        if passed := _passed(body, place, not functions and all(word.letter == "N" for word in words)):
             place = passed.end()
         elif not functions and (label := _LABEL.match(body, place)):
             place = label.end()
@@ -73,13 +83,23 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
         elif named := _TOOL_NAME.match(body, place):
             functions.append(Function(TOOL_BY_NAME, named[0]))
             place = named.end()
-        elif _STATEMENT.match(body, place) or not (keyword := _KEYWORD.match(body, place)):
-            problem = f"column {place + 1}: {body[place : place + 20]!r} is no word whose value is in the program"
+        elif (statement := _STATEMENT.match(body, place)) or not (keyword := _KEYWORD.match(body, place)):
+            what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
+            what = what or "is no word whose value is in the program"
+            problem = f"column {place + 1}: {body[place : place + 20]!r} {what}"
         else:
             arguments = _ARGUMENTS.match(body, keyword.end())
             functions.append(Function(keyword[0].upper(), arguments[0].strip() if arguments else None))
             place = arguments.end() if arguments else keyword.end()
     return SiemensBlock(Block(tuple(words), problem), tuple(functions), ways)
+
+
+def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
+    """What says nothing of where the axes go: blanks, comments, rounding, where a spindle stops, and, first in a block,
+    the declaration of variables: what uses one is no number, and a fault where it stands.
+    """
+    patterns = (_BLANK, _COMMENT, _ADIS, _SPINDLE_TURNS, *([_DEFINITION] if first else []))
+    return next((match for pattern in patterns if (match := pattern.match(body, place))), None)
 
 
 def _word(letter: str, number: str, start: int, end: int) -> Word:
@@ -113,6 +133,18 @@ _FAULTY = {
     "EXTERN": "declares a subprogram", "CALL": "calls a subprogram", "MEAS": "probes", "MEAW": "probes",
     "POS": "moves an axis by itself", "POSA": "moves an axis by itself",
 }  # fmt: skip
+# words by a name: what they do
+_ASSIGNED_WORDS = {
+    "RND": "rounds a corner, which is not followed", "RNDM": "rounds every corner, which is not followed",
+    "CHF": "chamfers a corner, which is not followed", "CHR": "chamfers a corner, which is not followed",
+    "RPL": "turns the coordinates, which is not followed", "TURN": "adds turns to an arc, which is not followed",
+    "AR": "gives an arc by its angle, which is not followed", "ANG": "gives a line by its angle, which is not followed",
+    "AP": "gives a position by its angle, which is not followed",
+    "RP": "gives a position by its radius, which is not followed",
+    **dict.fromkeys(("I1", "J1", "K1"), "gives an arc by a middle point, which is not followed"),
+}  # fmt: skip
+_BRANCHES = frozenset("IF ELSE ENDIF FOR WHILE LOOP REPEAT GOTO GOTOF GOTOB GOTOC GOTOS".split())
+_RUN = "write the blocks that are run, in their order"
 _WRITTEN_OUT = "have its motions written out as G0, G1, G2 and G3"
 
 
@@ -139,7 +171,7 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name == TOOL_BY_NAME:
         meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
     elif name in _FAULTY:
-        meaning.complain(f"{name} {_FAULTY[name]}", _WRITTEN_OUT)
+        meaning.complain(f"{name} {_FAULTY[name]}", _RUN if name in _BRANCHES else _WRITTEN_OUT)
     elif name in ("TRAORI", "TRAFOOF"):
         meaning.point_control = name == "TRAORI"
         if arguments not in (None, "()", "(1)"):

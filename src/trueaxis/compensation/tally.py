@@ -13,7 +13,7 @@ from trueaxis.compensation.elsewhere import Elsewhere, taken_back
 from trueaxis.compensation.executed import Executed
 from trueaxis.compensation.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
 from trueaxis.compensation.logs import LineLog, Running
-from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled
+from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.moves import Notes, Setup
 from trueaxis.compensation.path import Held, Path, Places
 from trueaxis.compensation.reliance import Visited
@@ -74,6 +74,7 @@ class Tally:
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
         self._parked, self._holes = LineLog(), Running()
+        self._units: set[str] = set()
         self._axes = model.axes
         self._elsewhere = Elsewhere(model.axes, settings)
 
@@ -88,6 +89,10 @@ class Tally:
         self._sign.use(tool_point)
         if setup not in self.visited:
             self.visited[setup] = Visited(self._model, tool_point, datum_of(setup, self._axes, self._settings))
+
+    def units(self, *named: str) -> None:
+        """Units of words that are written."""
+        self._units.update(named)
 
     def add(
         self,
@@ -128,6 +133,8 @@ class Tally:
         target = solved.linear.target
         deviation, _ = self._stage("before", model, path.points, path.points, lines, target=target)
         moved = np.where(held, 0.0, written - path.points)
+        if self._settings.orientation == "keep":  # rotary words are rounded, and not corrected
+            moved[list(rotary_rows(self._axes))] = 0.0
         if self._controlled is None:
             left_out = held.any(axis=0) | stopped | places.parking
             self._sign.add(path, deviation + self._off, written, lines, left_out, self._off)
@@ -253,6 +260,7 @@ class Tally:
             blocks_in=blocks_in,
             blocks_out=blocks_out,
             moves=self._moves,
+            units=tuple(unit for unit in ("mm", "inch") if unit in self._units),
             kept_motions=notes.kept,
             kept_holes=self._holes.summary(),
             points=self._points,

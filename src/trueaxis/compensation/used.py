@@ -31,7 +31,7 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
     tools = {} if settings.tools is None else settings.tools.tools
     for setup, one in visited.items():
         if setup.system and one.positions.size:
-            used.setdefault(setup._replace(tool=None), []).append((one.positions, one.tool_point))
+            used.setdefault(setup._replace(tool=None, point_control=False), []).append((one.positions, one.tool_point))
             tool = tools.get(setup.tool or 0)
             lengths.setdefault(setup.system, 0.0 if tool is None else tool.shift[2])
     point = np.array(settings.tool_point, dtype=np.float64)[:, np.newaxis]

@@ -24,7 +24,7 @@ class BlockWriter:
     def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
         self._axes, self._formats, self._digits, self._units, self._steps = axes, {}, {}, {}, {}
         for inch in (False, True):
-            linear = settings.inch_resolution if inch else settings.resolution
+            linear = settings.inch_step if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
             # always with a decimal point: some controls read X100 as 0.1 mm
             digits = [max(decimals(step), 1) for step in steps]

@@ -31,16 +31,17 @@ Tools = AnyPath | Mapping[int, Tool | float]
 class CompensationSettings(TypedDict, total=False):
     """Further arguments of `compensate`, as the options of `trueaxis compensate`; mm and deg, defaults in brackets.
 
-    tolerance: largest tool point error allowed (0.001); resolution, rotary_resolution, inch_resolution (inch): steps of
-    the words that are written (0.001, 0.0001, 0.00001); chord_tolerance: of an arc from its chords (0.0005); arcs:
-    "keep" or "chords"; method: "iterative" or "ordinary"; words: "nearest", "ends" or "middles", which need ball: the
-    centre of the workpiece ball, workpiece frame. orientation: "keep" or "correct", to orientation_tolerance_urad (2),
-    of tool_axis: its direction, tool frame (0, 0, 1). start: axis positions before the first block, those known.
-    temperature (degC), time (s): for effects that depend on them. block_delete: motions in / blocks are a "fault",
-    "run", or to "skip"; dialect: "fanuc", "linuxcnc", "siemens" or "heidenhain"; integers: what a number without a
-    decimal point counts, "mm" or "least-increment"; pass_m: M codes that move nothing on this control. touched_off:
-    work offsets that were touched off without compensation, each as --touched-off takes it ("G54=L120"); keep_g53:
-    motions in machine coordinates stay as they are.
+    tolerance: largest tool point error allowed (0.001); resolution, rotary_resolution, inch_resolution (inch):
+    steps of the words that are written (0.001, 0.0001, 0.00001; 0.0001 for "fanuc"); chord_tolerance: of an arc
+    from its chords (0.0005); arcs: "keep" or "chords"; method: "iterative" or "ordinary"; words: "nearest", "ends"
+    or "middles", which need ball: the centre of the workpiece ball, workpiece frame. orientation: "keep" or
+    "correct", to orientation_tolerance_urad (2), of tool_axis: its direction, tool frame (0, 0, 1). start: axis
+    positions before the first block, those known. temperature (degC), time (s): for effects that depend on them.
+    block_delete: motions in / blocks are a "fault", "run", or to "skip"; dialect: "fanuc", "linuxcnc", "siemens" or
+    "heidenhain"; integers: what a number without a decimal point counts, "mm" or "least-increment"; pass_m: M codes
+    that move nothing on this control. peck_return: how far G73 and G83 go back, where they are written out (0.254).
+    touched_off: work offsets that were touched off without compensation, each as --touched-off takes it
+    ("G54=L120"); keep_g53: motions in machine coordinates stay as they are.
     """
 
     tolerance: float
@@ -62,6 +63,7 @@ class CompensationSettings(TypedDict, total=False):
     dialect: Dialect
     integers: Integers
     pass_m: Sequence[int]
+    peck_return: float
     touched_off: Sequence[str]
     keep_g53: bool
 

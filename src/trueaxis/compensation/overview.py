@@ -1,0 +1,44 @@
+"""What is said before the faults of a program that has many: the one fact that explains them."""
+
+from collections.abc import Iterator
+
+from trueaxis.compensation.dialects import NAMES
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR, ErrorModel
+from trueaxis.compensation.settings import Dialect
+from trueaxis.io.faults import Fault
+
+FEW = 3  # faults that are read one by one
+_UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
+
+
+def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Dialect | None) -> list[Fault]:
+    """What explains the faults. said: the control that the user names; seen: the one whose language it looks like."""
+    if not faults.count:
+        return []
+    found = []
+    if said is not None and seen is not None and seen != said:
+        found.append(Fault(faults.file, "", f"looks like a program for {NAMES[seen]}", f"--dialect {seen}"))
+    elif faults.macros > FEW and said in _UNROLLABLE:
+        found.append(
+            Fault(faults.file, "", f"{faults.macros} blocks hold macros, variables or expressions",
+                  "--via-linuxcnc has LinuxCNC's interpreter unroll them")
+        )  # fmt: skip
+    return [*found, *_travel(faults, model)]
+
+
+def _travel(faults: FaultLog, model: ErrorModel) -> Iterator[Fault]:
+    """Axes that many blocks take out of their travel, and by how much the program would have to be moved."""
+    for axis, blocks in faults.outside.items():
+        low, high = faults.reach[axis]
+        lowest, highest = model.travel[axis]
+        if blocks <= FEW:
+            continue
+        remedy = "another machine, or another clamping"
+        if high - low <= highest - lowest:
+            by = lowest - low if low < lowest else highest - high
+            remedy = f"moved by {by:+.4g} {'mm' if axis in LINEAR else 'deg'} it fits: is the work offset right?"
+        yield Fault(
+            faults.file, "", f"{axis} reaches {low:.6g} to {high:.6g}, and its travel is from {lowest:g} to "
+            f"{highest:g}: {blocks} blocks are outside", remedy,
+        )  # fmt: skip

@@ -1,0 +1,103 @@
+"""What is said before many faults; small things of reports and options."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.compensation.analytic_machine import XyzMachine, paper_sized
+from tests.compensation.control import Bench
+from tests.compensation.five_axes import TEXTS, FiveAxes
+from tests.compensation.test_command import command
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.io.faults import Fault, InputError
+
+G54 = Offsets({"G54": dict.fromkeys("XYZ", (100.0, 100.0))})
+
+
+def faults_of(bench: Bench, program: str, **settings: object) -> tuple[Fault, ...]:
+    with pytest.raises(InputError) as error:
+        bench.run(program, XyzMachine(), **settings)
+    return tuple(error.value.faults)
+
+
+def test_another_control_is_said_first(bench: Bench) -> None:
+    program = 'N1 G0 X=5 Y=5\nTRANS X5\nG1 X=7 F9\nMSG("a")\nG2 X5 Y6 CR=9\n'
+    found = faults_of(bench, program, dialect="fanuc")
+    assert str(found[0]) == "in.nc: looks like a program for SINUMERIK (Siemens); --dialect siemens"
+    assert len(found) > 4
+    assert "looks like" not in str(faults_of(bench, program.replace("TRANS", "ROT"), dialect="siemens")[0])
+
+
+def test_macros_name_the_way_to_unroll_them(bench: Bench) -> None:
+    program = "G21 G90\nG0 X0. Y0. Z0.\n" + "#1=5\nG1 X#1 F9\n" * 4
+    for dialect in (None, "linuxcnc"):
+        first = faults_of(bench, program, dialect=dialect)[0]
+        assert "8 blocks hold macros, variables or expressions; --via-linuxcnc has LinuxCNC's" in str(first)
+    assert "--via-linuxcnc" not in str(faults_of(bench, program, dialect="fanuc")[0])
+    assert "--via-linuxcnc" not in str(faults_of(bench, "G0 X#1\n")[0])  # one fault is read at once
+
+
+def test_travel_is_told_for_the_whole_program(bench: Bench) -> None:
+    program = "G21 G90\nG53 G0 Z-1000.\nG54 G0 X0. Y0. Z0.\n" + "".join(f"Z{z}.\n" for z in range(895, 935, 5))
+    found = faults_of(bench, program, offsets=G54)
+    assert str(found[0]) == (
+        "in.nc: Z reaches 100 to 1030, and its travel is from -1000 to 1000: 6 blocks are outside; "
+        "moved by -30 mm it fits: is the work offset right?"
+    )
+    assert len(found) == 7
+    wide = faults_of(bench, program + "G0 Z-2000.\n", offsets=G54)[0]
+    assert "another machine, or another clamping" in str(wide)
+    assert len(faults_of(bench, "G54 G0 X0. Y0. Z0.\nZ950.\n", offsets=G54)) == 1
+
+
+def test_numbers_that_may_mean_two_lengths_are_no_positions(bench: Bench) -> None:
+    found = faults_of(bench, "G21 G90 G54\nG0 X0. Y0. Z0.\nG0 X10000\n", offsets=G54)
+    assert ["without a decimal point" in str(fault) for fault in found] == [True]
+
+
+def test_a_rounded_corner_is_named(bench: Bench) -> None:
+    (fault,) = faults_of(bench, "G21 G90\nG0 X0. Y0. Z0.\nG1 X10.,R2. F9.\n")
+    assert "column 8: ',R2. F9.' rounds or chamfers a corner: write it as an arc or a line" in str(fault)
+    (fault,) = faults_of(bench, "GOTOF END\n", dialect="siemens")[:1]
+    assert "write the blocks that are run, in their order" in str(fault)
+
+
+def test_how_far_pecks_go_back(bench: Bench) -> None:
+    program = "G21 G90\nG0 X0. Y0. Z9.\nG73 X1. Y1. Z-3. R2. Q2. F100\nX2.\nX3.\nX4.\nX5.\nX6.\n"
+    text = bench.run(program, peck_return=0.5).decode()
+    assert text.count("G0 Z0.500\n") == text.count("G1 Z0.000\n") == 6
+    assert any("pecks go back by 0.5 mm" in note for note in bench.report.notes)
+    assert "G0 Z0.254\n" in bench.run(program).decode()
+    with pytest.raises(ValueError, match="peck_return is 0; it must be above 0"):
+        Settings(peck_return=0.0)
+
+
+def test_a_folder_that_is_not_there_is_a_typo(tmp_path: Path) -> None:
+    (tmp_path / "in.nc").write_text("G21 G90\nG0 X1. Y1. Z1.\n")
+    with pytest.raises(InputError, match=r"--out: the folder .*nodir is not there; make it first"):
+        command(tmp_path, None, "--out", str(tmp_path / "nodir" / "out.nc"))
+    with pytest.raises(InputError, match=r"--report: the folder .*nodir is not there"):
+        command(tmp_path, None, "--report", str(tmp_path / "nodir" / "report.json"))
+    assert not (tmp_path / "nodir").exists()
+
+
+def test_an_offset_is_told_once_with_and_without_point_control(bench: Bench) -> None:
+    machine = FiveAxes(TEXTS["table-table"]).model
+    offsets = Offsets(
+        {"G54": {axis: (value, value) for axis, value in zip("XYZAC", (9.0, 8.0, 7.0, 0.0, 0.0), strict=True)}}
+    )
+    tools = ToolTable({1: Tool(length=50.0)})
+    program = (
+        "G21 G90 G54\nG0 A0. C0.\nT1 M6\nG0 X10. Y5.\nG43 H1 Z9.\nG49 G0 X0. Y0. Z30.\n"
+        "G43.4 H1\nG0 X10. Y5. Z9.\nG1 X20. A5. C9. F100\n"
+    )
+    bench.run(program, machine, offsets=offsets, tools=tools, dialect="fanuc")
+    assert str(bench.report).count("G54 is taken at") == 1
+
+
+def test_lengths_of_vectors_are_named_so(bench: Bench) -> None:
+    bench.run("G21 G90 G54\nG0 X1. Y1. Z1.\n", paper_sized(3.0), offsets=G54)
+    assert "um for Z (length of the vector)" in str(bench.report)
+    assert "(deg)" not in str(bench.report.offsets[0])
