@@ -254,3 +254,18 @@ def test_by_the_command(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> No
         command(tmp_path, program, *offset, "--touched-off", "G77")
     with pytest.raises(InputError, match="--touched-off: does not go with --via-linuxcnc"):
         command(tmp_path, program, *offset, "--touched-off", "G54", "--via-linuxcnc")
+
+
+def test_what_it_relies_on_counts_from_the_datum(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    """At the datum itself nothing is uncertain but what the program adds; home counts no more."""
+    program = "G21 G90\nG54 G0 X1. Y1. Z1.\nG1 X2. F900\n"
+    offset = ["--offset", "G54=X200,Y150,Z100"]
+    report = tmp_path / "r.json"
+    found = []
+    for touched in ((), ("--touched-off", "G54")):
+        assert command(tmp_path, program, *offset, *touched, "--report", str(report)) == 0
+        reliance = json.loads(report.read_text())["reliance"]
+        found.append((reliance["uncertainty"]["datum"], reliance["uncertainty"]["correction_rms"]))
+        assert ("displace this tool point by" in capsys.readouterr().out.split("note: ")[-1]) <= (not touched)
+    assert [name for name, _ in found] == ["home", "the datum of G54"]
+    assert found[1][1] <= 1e-3

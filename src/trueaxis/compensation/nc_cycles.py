@@ -29,8 +29,6 @@ KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spind
 STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
-    "pecks go back by {:g} mm: on LinuxCNC by 0.254 mm, on other controls a parameter says by how much (--peck-return)"
-)
 
 
 class CycleError(Exception):

@@ -119,7 +119,7 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
                 f"few values, it is {_um(less)}"
             )
         found.append(
-            f"largest standard uncertainty of the tool point {where}{of}, from home, in one coordinate: "
+            f"largest standard uncertainty of the tool point {where}{of}, from {extent.datum}, in one coordinate: "
             f"{_um(extent.largest_u)}{part}{usual}"
         )
     if extent.open:
