@@ -193,15 +193,9 @@ def compensated(
     name = name or str(program)
     language = language or language_of(program)
     settings = _fitting(settings, model, language)
-    faults, notes, text = FaultLog(name), Notes(), None
+    faults, notes, text = FaultLog(file=name), Notes(), None
     if via_linuxcnc is not None:
-        if language == "apt" or settings.dialect not in (None, "linuxcnc"):
-            raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
-        if settings.touched_off:
-            raise InputError(
-                [Fault(TOUCHED_OFF, "", "does not go with --via-linuxcnc, which writes machine coordinates",
-                       "set the work offsets with compensated positions")]
-            )  # fmt: skip
+        _check_unrolled(settings, language)
         made = unrolled(
             program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
             settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
@@ -232,11 +226,18 @@ def compensated(
                 ends_whole = piece.endswith("\n")
     faults.raise_if_any(overview(faults, model, said, seen))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
-    if via_linuxcnc is not None:  # its words are in machine coordinates, whatever G59.3 is called there
-        report = replace(report, offsets=())
     if judge is not None:
         report = replace(report, reliance=judge(compensator.visited))
     return replace(report, blocks_out=0) if report.refused else report
+
+
+def _check_unrolled(settings: Settings, language: Language) -> None:
+    """Faults of what does not go with --via-linuxcnc."""
+    if language == "apt" or settings.dialect not in (None, "linuxcnc"):
+        raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
+    if settings.touched_off:
+        problem = "does not go with --via-linuxcnc, which writes machine coordinates"
+        raise InputError([Fault(TOUCHED_OFF, "", problem, "set the work offsets with compensated positions")])
 
 
 def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Settings:
@@ -258,7 +259,7 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
 
     Raises InputError with every fault of the program, OSError when it cannot be read.
     """
-    faults = FaultLog(str(program))
+    faults = FaultLog(file=str(program))
     reader = NcReader(axes, Settings(), faults, Notes())
     with program.open(encoding="latin-1", newline="") as file:
         text = "".join("\n" if MARK in line else line for line in file)

@@ -103,7 +103,7 @@ class LineLog:
 KEPT = 49  # with the count of all, 50 messages
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class FaultLog:
     """Gathers the faults of a program by line, keeping the text of the first `KEPT` found: a program may be garbage
     of any length. unplaced: the first line from which on positions are not known, as it is not where the work offset's

@@ -22,9 +22,9 @@ from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.solve import ToolAxis, solve, solve_pose
+from trueaxis.compensation.solve import Solved, ToolAxis, solve, solve_pose
 from trueaxis.compensation.subdivide import Along, Batch, PointAlong, PoseAlong, batches, subdivide
-from trueaxis.compensation.tally import Solved, Tally
+from trueaxis.compensation.tally import Tally
 from trueaxis.compensation.tools import tool_point_of
 from trueaxis.compensation.tracker import Tracker, acting
 from trueaxis.compensation.writer import BlockWriter

@@ -217,7 +217,26 @@ class CompensationReport:
             corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
             lines.append(f"orientation of the tool axis, {corrected} (urad)")
             lines.extend(_rows(self.orientation))
-        lines.extend(self._coarse_words())
+        lines += [*self._troubles(), *self._places()]
+        lines.extend(
+            f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
+            f"{one.lines.points} times, lines {one.lines.shown}"
+            for one in self.passed
+        )
+        if self.parked_at_end.points:
+            lines.append(
+                f"note: rapids in machine coordinates (G53) stop at the end of travel: {self.parked_at_end}; nothing "
+                "is cut there, and they count as no fault"
+            )
+        lines.extend(f"note: {note}" for note in self.notes)
+        lines.append(str(self.senses))
+        if self.sign_check is not None:
+            lines.append(str(self.sign_check))
+        return "\n".join(lines)
+
+    def _troubles(self) -> list[str]:
+        """Points that are not as they are to be, and why."""
+        settings, lines = self.settings, self._coarse_words()
         for name, found in (
             ("not converged", self.not_converged),
             ("above tolerance", self.over_tolerance),
@@ -227,6 +246,11 @@ class CompensationReport:
         ):
             if found.points:
                 lines.append(f"{name}: {found}")
+        return lines
+
+    def _places(self) -> list[str]:
+        """What effects, axes without words, work offsets, tools and unknown places come to."""
+        lines: list[str] = []
         lines.extend(
             f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
             for one in self.effects
@@ -255,21 +279,7 @@ class CompensationReport:
             lines.append(
                 "above tolerance if these axes stand elsewhere: say by --start where they stand, or command them"
             )
-        lines.extend(
-            f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
-            f"{one.lines.points} times, lines {one.lines.shown}"
-            for one in self.passed
-        )
-        if self.parked_at_end.points:
-            lines.append(
-                f"note: rapids in machine coordinates (G53) stop at the end of travel: {self.parked_at_end}; nothing "
-                "is cut there, and they count as no fault"
-            )
-        lines.extend(f"note: {note}" for note in self.notes)
-        lines.append(str(self.senses))
-        if self.sign_check is not None:
-            lines.append(str(self.sign_check))
-        return "\n".join(lines)
+        return lines
 
 
 def _rows(of: CompensationReport | Errors) -> list[str]:

@@ -207,6 +207,29 @@ class PoseSolution:
     singular: NDArray[np.bool_]
 
 
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """linear: for rotary positions as their words name them; pose: before they are words, where they turn too."""
+
+    linear: Solution
+    pose: PoseSolution | None
+
+    @property
+    def commands(self) -> FloatArray:
+        """Commands (n_axes, n), words not rounded."""
+        return self.linear.commands if self.pose is None else self.pose.commands
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Corrections made, (n,)."""
+        return self.linear.steps if self.pose is None else self.pose.steps
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """(n,)."""
+        return self.linear.converged if self.pose is None else self.linear.converged & self.pose.converged
+
+
 @dataclass(slots=True)
 class _State:
     """A command and what is left to correct there: point (3, n), mm; turn (n_axes, n), deg; merit (n,), at most 1 when

@@ -1,7 +1,6 @@
 """What the report is made of, gathered batch by batch."""
 
 from collections import Counter
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,36 +19,13 @@ from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import SignChecker, senses_of
-from trueaxis.compensation.solve import PoseSolution, Solution, ToolAxis, angle
+from trueaxis.compensation.solve import Solved, ToolAxis, angle
 from trueaxis.compensation.tracker import EffectNote
 from trueaxis.compensation.used import datum_of, offsets_used, tools_used
 from trueaxis.compensation.word_choice import bar_error, length
 
 STAGES = ("before", "solved", "after", "along")
 UNCOMMANDED = "uncommanded"
-
-
-@dataclass(frozen=True, slots=True)
-class Solved:
-    """linear: for rotary positions as their words name them; pose: before they are words, where they turn too."""
-
-    linear: Solution
-    pose: PoseSolution | None
-
-    @property
-    def commands(self) -> FloatArray:
-        """Commands (n_axes, n), words not rounded."""
-        return self.linear.commands if self.pose is None else self.pose.commands
-
-    @property
-    def steps(self) -> NDArray[np.int64]:
-        """Corrections made, (n,)."""
-        return self.linear.steps if self.pose is None else self.pose.steps
-
-    @property
-    def converged(self) -> NDArray[np.bool_]:
-        """(n,)."""
-        return self.linear.converged if self.pose is None else self.linear.converged & self.pose.converged
 
 
 class Tally:
@@ -121,12 +97,7 @@ class Tally:
         self._take_ups += int(path.halts.sum())
         self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
         self._not_converged.add(lines[~solved.converged])
-        stopped = np.zeros(path.size, dtype=bool)
-        stopped[done.point[done.stopped]] = True
-        parked = stopped & places.parking  # no cut: where exactly it ends matters to nothing
-        self._out_of_travel.add(lines[done.point[done.stopped & ~parked[done.point]]])
-        self._parked.add(lines[parked])
-
+        stopped, parked = self._stopped(done, places, lines)
         index = np.arange(path.size)
         model = placing.at(index, np.ones(path.size))
         written = done.at_points(previous)
@@ -159,6 +130,19 @@ class Tally:
         if index.size:
             self._at_points(model, counted, path, solved, written, lines, places)
         self._along(path, done, lines, previous, settled, placing, places)
+
+    def _stopped(
+        self, done: Executed, places: Places, lines: NDArray[np.int64]
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Points at which a word stops at the end of travel, and those of them at which that matters to nothing, as
+        axes only park there; each (n_points,).
+        """
+        stopped = np.zeros(lines.size, dtype=bool)
+        stopped[done.point[done.stopped]] = True
+        parked = stopped & places.parking
+        self._out_of_travel.add(lines[done.point[done.stopped & ~parked[done.point]]])
+        self._parked.add(lines[parked])
+        return stopped, parked
 
     def hole(self, line: int, found: Drilled) -> None:
         """A hole of a cycle that stays one: what holds at its middle counts, the rest of its depth is told apart."""
@@ -283,7 +267,8 @@ class Tally:
             uncommanded_left=self._vector[UNCOMMANDED].summary(),
             unknown_places=self._elsewhere.rapids(),
             unnamed_feeds=self._elsewhere.feeds(),
-            offsets=offsets_used(self._model, self.visited, self._settings),
+            # what an interpreter has unrolled is in machine coordinates, whatever G59.3 is called there
+            offsets=() if self._settings.judged else offsets_used(self._model, self.visited, self._settings),
             tools=tools_used(self.visited),
             effects=self._effects,
             senses=self._senses,
