@@ -13,13 +13,16 @@ import pytest
 
 from tests.compensation.analytic_machine import FloatArray, XyzMachine, paper_sized
 from tests.compensation.control import Bench
+from tests.compensation.extended_model import extended
 from tests.compensation.five_axes import TEXTS, FiveAxes
 from tests.compensation.test_command import command
+from tests.compensation.test_effects import SQUARENESS, coefficients
 from tests.exact_chain import rotated
 from tests.machines import serial_text
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.compensation.touched_off import TouchedOff, touched_off_of_option
+from trueaxis.effects.kind import Effect
 from trueaxis.io.faults import InputError
 
 PROBE, CUTTER = 118.0, 74.5
@@ -269,3 +272,22 @@ def test_what_it_relies_on_counts_from_the_datum(tmp_path: Any, capsys: pytest.C
         assert ("displace this tool point by" in capsys.readouterr().out.split("note: ")[-1]) <= (not touched)
     assert [name for name, _ in found] == ["home", "the datum of G54"]
     assert found[1][1] <= 1e-3
+
+
+def test_with_effects_the_datum_stays_the_same(bench: Bench) -> None:
+    """Play is taken up as without a datum; all words lie off by what the errors displace the probe by at the zero."""
+    effects = {Effect(kind="backlash", component="EXX"): {"width": -0.01}}
+    machine = extended(coefficients(), SQUARENESS, effects)
+    program = "G21 G90 G54\nG0 X10. Y20. Z5.\nG1 X60. F400\nX20.\nY50.\n"
+    found, take_ups = [], []
+    for option in ((), (TouchedOff(system="G54"),)):
+        found.append(words(bench.run(program, machine, offsets=KNOWN, touched_off=option)))
+        take_ups.append(bench.report.take_ups)
+    assert take_ups[0] == take_ups[1] > 0
+    plain, touched = found
+    at = np.array([[value] for value in G54.values()])
+    datum = machine.correction(at, -machine.deviation(at, np.zeros((3, 1))))[:, 0]
+    for before, after in zip(plain, touched, strict=True):
+        for axis, value in zip("XYZ", datum, strict=True):
+            if axis in before and axis in after:
+                assert before[axis] - after[axis] == pytest.approx(value, abs=0.0011)

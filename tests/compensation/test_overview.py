@@ -1,6 +1,7 @@
 """What is said before many faults; small things of reports and options."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,7 +17,7 @@ from trueaxis.io.faults import Fault, InputError
 G54 = Offsets({"G54": dict.fromkeys("XYZ", (100.0, 100.0))})
 
 
-def faults_of(bench: Bench, program: str, **settings: object) -> tuple[Fault, ...]:
+def faults_of(bench: Bench, program: str, **settings: Any) -> tuple[Fault, ...]:
     with pytest.raises(InputError) as error:
         bench.run(program, XyzMachine(), **settings)
     return tuple(error.value.faults)

@@ -202,7 +202,9 @@ AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timin
 OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
 _SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
-_IN_PLACE = "write the blocks of the subprogram in place of each call: each place needs corrections of its own"
+_IN_PLACE = (
+    "--pass-m does not pass it; write the blocks of the subprogram in place of each call, which gets its own words"
+)
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _MODES = "saves or restores modes, so that later blocks read differently"

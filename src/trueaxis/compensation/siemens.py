@@ -21,7 +21,7 @@ _ARGUMENTS = re.compile(r"[ \t]*+\([^()\"]*+(?:\"[^\"]*+\"[^()\"]*+)*\)")
 _ADIS = re.compile(rf"(?:ADIS|ADISPOS)[ \t]*+=[ \t]*+{NUMBER}", re.IGNORECASE)
 _DEFINITION = re.compile(
     r"DEF[ \t]++(?:REAL|INT|BOOL|CHAR|AXIS|FRAME|STRING[ \t]*+\[[ \t]*+\d++[ \t]*+\])[ \t]++"
-    r"[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?(?:,[ \t]*+[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?)*+(?=;|$)",
+    r"[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?(?:,[ \t]*+[A-Za-z_]\w++[ \t]*+(?:=[ \t]*+[^;,]*+)?)*(?=;|$)",
     re.IGNORECASE,
 )
 _SPINDLE_TURNS = re.compile(
