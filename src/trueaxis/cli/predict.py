@@ -47,7 +47,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--datum", choices=("machine", "home", "best-fit"), default="machine",
         help="reference of deviations and uncertainties: the error-free machine; the tool point at home (every axis "
-        "at 0, or at the nearest end of its travel), where work offsets are touched off; or the rigid placement of the "
+        "at 0, or at the nearest end of its travel); or the rigid placement of the "
         "workpiece, a shift and a small rotation, that fits the points best (%(default)s)",
     )  # fmt: skip
     parser.add_argument(

@@ -199,10 +199,9 @@ class Limits:
 class Reliance:
     """uncertainty: of the tool point at the places of the program, relative to home; beyond: use beyond the measured
     range (places, not blocks, are counted). largest_correction and allowed_correction (None where nothing moves), mm,
-    at the place `correction_at` (axis positions, mm and deg) where the first is the largest share of the second.
-    largest_turn, allowed_turn: of a rotary axis, deg, and where (None where no axis turns). at_home: by how much the
-    errors displace the tool point at home, mm; 0 where corrections count from another datum. too_uncertain, too_large:
-    which limit is passed; nothing may then be written.
+    at `correction_at` (axis positions, mm and deg), where the first is the largest share of the second. largest_turn,
+    allowed_turn: of a rotary axis, deg, and where (None where none turns). at_home: by how much the errors displace the
+    tool point at home, mm; 0 from another datum. too_uncertain, too_large: which limit is passed; nothing is written.
     """
 
     uncertainty: UncertaintyExtent

@@ -155,8 +155,7 @@ def _notes(content: Content) -> list[str]:
     found = [
         "E, direction, axis: ISO 230-1; values are actual minus ideal. u: standard uncertainty; 95 % lie within 2 u. "
         "Positions: mm, deg.",
-        "Tool point: deviation in the workpiece frame minus that at home, where work offsets are touched off. "
-        "Largest u: of one coordinate.",
+        "Tool point: deviation in the workpiece frame minus that at home. Largest u: of one coordinate.",
     ]
     if content.effects:
         found.append(
