@@ -104,7 +104,7 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("G2 X5 Y5 CR=1", "more than 2 R"),
         ("CIP X10 Y10 I1=5 J1=5", "is an arc through a middle point"),
         ("CT X10 Y10", "is a tangential arc"),
-        ("G2 X0 Y0 I5 J0 TURN=2", "is no word whose value"),
+        ("G2 X0 Y0 I5 J0 TURN=2", "adds turns to an arc"),
         ("ROT RPL=45", "is no word whose value"),
         ("ROT Z45", "turns the coordinates"),
         ("AROT Z10", "turns the coordinates"),

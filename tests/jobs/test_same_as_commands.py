@@ -125,10 +125,10 @@ def test_fit(here: Path, capsys: pytest.CaptureFixture[str], model: ta.MachineMo
 def test_compensate(here: Path, capsys: pytest.CaptureFixture[str], model: ta.MachineModel, values: Path) -> None:
     Path("p.nc").write_text(PROGRAM)
     errors = ta.load_errors(values, model)
-    options = ["--tool-point", "0,0,-50", "--offset", "G54=X1.0,Y0:2", "--tolerance", "0.002", "--start", "X0Y0Z0"]
+    options = ["--tool-point", "0,0,-50", "--offset", "G54=X1.0,Y0:2,Z0", "--tolerance", "0.002", "--start", "X0Y0Z0"]
     told = said(capsys, "compensate", DMU60P, "--errors", values, "p.nc", "--out", "out.nc", *options, *KERNELS)
     done = ta.compensate(
-        model, errors, "p.nc", "function/out.nc", tool=(0, 0, -50), offsets={"G54": {"X": 1.0, "Y": (0, 2)}},
+        model, errors, "p.nc", "function/out.nc", tool=(0, 0, -50), offsets={"G54": {"X": 1.0, "Y": (0, 2), "Z": 0}},
         tolerance=0.002, start={"X": 0, "Y": 0, "Z": 0},
     )  # fmt: skip
     assert str(done) == told

@@ -106,7 +106,7 @@ def compensate(
 
     program: the path of its file; out: the file to write; None: nothing is written, the result has the text. tool:
     (3,), the point to be compensated, tool frame, mm. offsets: the file of work offsets, or by name the machine
-    position of their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg; a pair gives the worst case. tools: the
+    position of their zeros, {"G54": {"X": 1.0, "Y": 2.0, "Z": (0, 5)}}, mm or deg; a pair: the worst case. tools: the
     file of the tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of
     LinuxCNC, whose interpreter expands the program first. max_u: largest standard uncertainty of the tool point in the
     program, from home, mm; max_correction: largest correction, mm (three times what [prior] expects).
