@@ -121,7 +121,7 @@ def test_a_misfit_is_compensated_on_request_alone(tmp_path: Path, capsys: pytest
 
 
 def test_a_program_that_moves_nothing_relies_on_nothing(tmp_path: Path) -> None:
-    assert compensate(tmp_path, ERRORS, program="G21\nM2\n") == 0
+    assert compensate(tmp_path, ERRORS, program="G21\nM2\n") == 1  # done, and nothing moves
     reliance = json.loads((tmp_path / "report.json").read_text())["reliance"]
     assert reliance["allowed_correction"] is None
     assert reliance["uncertainty"]["points"] == 0
