@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from trueaxis.compensation.tools import Tool
+    from trueaxis.compensation.tools import Cutter, Tool
     from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
     from trueaxis.identification.fit_quality import NotConvergedError
     from trueaxis.identification.weighting import NoiseModel
@@ -59,6 +59,7 @@ __all__ = [
     "Compensated",
     "CompensationSettings",
     "Context",
+    "Cutter",
     "DataFolder",
     "Derivation",
     "Diagnosed",
@@ -111,7 +112,7 @@ __all__ = [
     "simulate",
 ]
 _MODULES = {
-    "compensation.tools": ("Tool",),
+    "compensation.tools": ("Cutter", "Tool"),
     "evaluation.iso230_2.positioning_test": ("PositioningTest",),
     "identification.fit_quality": ("NotConvergedError",),
     "identification.weighting": ("NoiseModel",),

@@ -17,7 +17,7 @@ from tests.compensation.test_command import command
 from tests.compensation.test_offsets import KNOWN, both
 from tests.compensation.test_uncommanded import words
 from trueaxis.compensation.offsets import Offsets
-from trueaxis.compensation.tools import Tool, ToolTable, read_tools
+from trueaxis.compensation.tools import Cutter, Tool, ToolTable, read_tools
 from trueaxis.io.faults import InputError
 
 LENGTHS = {1: 80.0, 2: 215.5, 3: 31.25, 4: 80.0}
@@ -210,7 +210,13 @@ def test_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert read_tools(toml).tools == {1: Tool(80.0), 2: Tool(5.0, (1.0, 2.0, 0.0), (0.0, 0.0, -9.0))}
     table = tmp_path / "tool.tbl"
     table.write_text("T1 P1 D6.0 Z+80.0 ;end mill\n; a comment\nt2 p2 z5 x-1.5 q0\n\n")
-    assert read_tools(table).tools == {1: Tool(80.0), 2: Tool(5.0, (-1.5, 0.0, 0.0))}
+    assert read_tools(table).tools == {
+        1: Tool(80.0, cutter=Cutter(6.0)), 2: Tool(5.0, (-1.5, 0.0, 0.0), cutter=Cutter(0.0)),
+    }  # fmt: skip
+    toml.write_text("[tool.1]\nlength = 80.0\ndiameter = 6.0\n")
+    table.write_text("T1 P1 Z80 D-0.02 I95 J155 Q6\n")
+    assert read_tools(toml).tools == {1: Tool(80.0, cutter=Cutter(6.0))}
+    assert read_tools(table).tools == {1: Tool(80.0, cutter=Cutter(-0.02, (95.0, 155.0), 6))}
     program = "G21 G90\nT1 M6\nG0 X100. Y100.\nG43 H1 Z50.\nG1 X150. F900\n"
     for path in (toml, table):
         assert command(tmp_path, program, "--tools", str(path)) == 0

@@ -13,6 +13,7 @@ import pytest
 from tests.compensation.control import execute
 from tests.shop_programs.grade import OFFSETS, grade
 from tests.shop_programs.interpreter import run
+from trueaxis.cli.main import main
 from trueaxis.compensation import via_linuxcnc
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import Tool, ToolTable
@@ -32,37 +33,34 @@ def motion(
     return [kind, line, plane, turns, list(centre), [*end, *(0.0,) * (6 - len(end))]]
 
 
+def call(name: str, *given: object, line: int = 1) -> list[object]:
+    return ["call", line, name, *given]
+
+
 class FakePackage:
-    """A folder that looks like the package, and what its programs would print."""
+    """A folder that looks like the package, and what the interpreter would ask for in its three runs."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.folder, self.program = folder / "package", folder / "in.ngc"
         self.program.write_text("M2\n")
-        (self.folder / "usr/bin").mkdir(parents=True)
-        (self.folder / "usr/bin/rs274").touch()
         (self.folder / "usr/lib/python3/dist-packages").mkdir(parents=True)
         (self.folder / "usr/lib/python3/dist-packages/gcode.so").touch()
-        self.calls: list[str] = []
-        self.rounds: list[list[list[object]]] = [[], []]
-        monkeypatch.setattr(via_linuxcnc, "_run", self._run)
-        self._round = 0
-
-    def _run(self, command: Sequence[str], folder: Path, env: object) -> str:  # noqa: ARG002
-        if command[0].endswith("rs274"):
-            return "\n".join(f"  {number} N..... {call}" for number, call in enumerate(self.calls))
-        self._round += 1
-        return "\n".join(json.dumps(one) for one in self.rounds[self._round - 1])
+        self.rounds: list[list[list[object]]] = []
+        monkeypatch.setattr(via_linuxcnc, "_run", lambda *_: self.rounds.pop(0))
 
     def unroll(
-        self, first: list[list[object]], second: list[list[object]] | None = None, tools: ToolTable | None = None
-    ) -> list[str]:
+        self, first: list[list[object]], second: list[list[object]] | None = None, tools: ToolTable | None = None,
+        third: list[list[object]] | None = None, diameters: bool = False,
+    ) -> list[str]:  # fmt: skip
         starts = [motion("rapid", 0, at) for at in ([1.0, 2.0, 19.7], [1.5, 2.5, 31.3, 7.0, 8.0, 9.0])]
         second = second or json.loads(json.dumps(first))
         for one in second:
-            if len(one) > 5:
+            if one[0] in ("rapid", "feed", "arc"):
                 one[5] = [*one[5][:3], 7.0, 8.0, 9.0]  # type: ignore[index]  # no rotary axis is commanded
-        self.rounds, self._round = [[starts[0], *first], [starts[1], *second]], 0
-        return unrolled(self.program, self.folder, Offsets(), tools, "in.ngc").text.splitlines()[4:]
+        third = [starts[0], *(third or first)]
+        self.rounds = [[starts[0], *first], [starts[1], *second], third, third if diameters else [starts[0], *first]]
+        known = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))})
+        return unrolled(self.program, self.folder, known, tools, "in.ngc").text.splitlines()[4:]
 
 
 @pytest.fixture
@@ -71,38 +69,52 @@ def fake(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> FakePackage:
 
 
 def test_calls_become_blocks_in_their_order(fake: FakePackage) -> None:
-    fake.calls = [
-        "USE_LENGTH_UNITS(CANON_UNITS_MM)", "CHANGE_TOOL(2)", "SET_SPINDLE_SPEED(0, 1200.0000)",
-        "START_SPINDLE_CLOCKWISE(0)", "FLOOD_ON()", "STRAIGHT_TRAVERSE(1, 2)", "SET_FEED_RATE(150.0000)",
-        "STRAIGHT_FEED(1)", "DWELL(0.5000)", "ARC_FEED(1)", "USE_LENGTH_UNITS(CANON_UNITS_INCHES)",
-        "SET_FEED_RATE(2.0000)", "STRAIGHT_FEED(1)", "SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.0200)",
-        "SET_AUX_OUTPUT_BIT(2)", "DISABLE_FEED_OVERRIDE()", "FLOOD_OFF()", "STOP_SPINDLE_TURNING(0)", "PROGRAM_END()",
-    ]  # fmt: skip
     found = fake.unroll([
-        motion("rapid", 1, [10.0, 20.0, 5.0]), motion("feed", 2, [10.0, 20.0, -1.0]),
-        motion("arc", 3, [10.0, 20.0, -2.0], 1, -2, [15.0, 20.0]), motion("feed", 4, [11.0, 20.0, -2.0]), END,
+        call("USE_LENGTH_UNITS", 2), call("SELECT_TOOL", 3), call("START_CHANGE"), call("STOP_SPINDLE_TURNING", 0),
+        call("CHANGE_TOOL", 3), call("SET_SPINDLE_SPEED", 0, 1200.0), call("START_SPINDLE_CLOCKWISE", 0, 1),
+        call("FLOOD_ON"), motion("rapid", 1, [10.0, 20.0, 5.0]), call("SET_FEED_RATE", 150.0),
+        motion("feed", 2, [10.0, 20.0, -1.0]), call("DWELL", 0.5),
+        motion("arc", 3, [10.0, 20.0, -2.0], 1, -2, [15.0, 20.0]), call("USE_LENGTH_UNITS", 1),
+        call("SET_FEED_RATE", 50.8), motion("feed", 4, [11.0, 20.0, -2.0]),
+        call("SET_MOTION_CONTROL_MODE", 3, 0.001), call("SET_NAIVECAM_TOLERANCE", 0.00003),
+        call("SET_MOTION_CONTROL_MODE", 2, 0.0), call("SET_MOTION_CONTROL_MODE", 1, 0.0),
+        call("SET_AUX_OUTPUT_BIT", 2), call("DISABLE_FEED_OVERRIDE"), call("MIST_OFF"), call("FLOOD_OFF"),
+        call("SET_MOTION_OUTPUT_VALUE", 1, 0.25), call("ENABLE_ADAPTIVE_FEED"), call("MESSAGE", "hello"),
+        call("PALLET_SHUTTLE"), call("PROGRAM_STOP"), call("PROGRAM_STOP"), call("OPTIONAL_PROGRAM_STOP"),
+        call("SET_FEED_MODE", 0, 1), call("SET_FEED_MODE", 0, 0, line=9), call("STOP_SPINDLE_TURNING", 0, line=9),
+        call("MIST_OFF", line=9), call("PALLET_SHUTTLE", line=9), call("PROGRAM_END", line=9), END,
     ], tools=ToolTable({9: Tool(), 3: Tool()}))  # fmt: skip
     assert found == [
-        "T3 M6", "S1200.0000", "M3", "M8", "N1 G0 X10.0000000 Y20.0000000 Z5.0000000", "N2 G1 Z-1.0000000 F150.0000",
-        "G4 P0.5000", "N3 G2 Z-2.0000000 I5.0000000 J0.0000000 P2 F150.0000", "N4 G1 X11.0000000 F50.8000",
-        "G64 P0.0200", "M64 P2", "M50 P0", "M9", "M5", "M2",
+        "T3", "M6", "S1200", "M3", "M8", "N1 G0 X10.0000000 Y20.0000000 Z5.0000000", "N2 G1 Z-1.0000000 F150",
+        "G4 P0.5", "N3 G2 Z-2.0000000 I5.0000000 J0.0000000 P2 F150", "N4 G1 X11.0000000 F50.8",
+        "G64 P0.0254 Q0.000762", "G61", "G61.1", "M64 P2", "M50 P0", "M9", "M67 E1 Q0.25", "M52 P1", "(MSG,hello)",
+        "M60", "M0", "M1", "G95", "M9", "M30",
     ]  # fmt: skip
+
+
+def test_turns_of_rotary_axes_are_in_degrees_a_minute(fake: FakePackage) -> None:
+    """Under G20 too: F100 of a rotary axis became F2540."""
+    rotary = [1.0, 2.0, 3.0, 90.0]
+    first = [
+        call("USE_LENGTH_UNITS", 1), motion("rapid", 1, [1.0, 2.0, 3.0, 0.0, 0.0, 0.0]),
+        call("SET_FEED_RATE", 2540.0), motion("feed", 2, rotary), motion("feed", 3, [5.0, 2.0, 3.0, 90.0]), END,
+    ]  # fmt: skip
+    fake.rounds = [[motion("rapid", 0, at), *first] for at in ([7.0] * 6, [8.0] * 6, [7.0] * 6)]
+    text = unrolled(fake.program, fake.folder, AT_ZERO, None, "in").text.splitlines()[5:]
+    assert text == ["N2 G1 A90.0000000 F100", "N3 G1 X5.0000000 F2540"]
 
 
 def test_a_speed_along_the_surface_is_written_in_metres(fake: FakePackage) -> None:
     """What is written is in millimetres, where S of G96 is in m/min; in inches it is in ft/min, 0.3048 m each."""
-    none = "1000000000000000019884624838656.0000"
-    fake.calls = [
-        "SET_SPINDLE_MODE(0 0.0000)", "SET_SPINDLE_MODE(0 2500.0000)", "SET_SPINDLE_SPEED(0, 200.0000)",
-        "USE_LENGTH_UNITS(CANON_UNITS_INCHES)", f"SET_SPINDLE_MODE(0 {none})", "SET_SPINDLE_SPEED(0, 500.0000)",
-        "SET_SPINDLE_MODE(0 0.0000)", "SET_SPINDLE_SPEED(0, 1200.0000)",
-    ]  # fmt: skip
-    expected = ["G96 D2500.0000 S200.0000", "G96 S152.4000", "G97", "S1200.0000"]
-    assert fake.unroll([END]) == expected
+    expected = ["G96 D2500 S200", "G96 S152.4", "G97", "S1200"]
+    assert fake.unroll([
+        call("SET_SPINDLE_MODE", 0, 0.0), call("SET_SPINDLE_MODE", 0, 2500.0), call("SET_SPINDLE_SPEED", 0, 200.0),
+        call("USE_LENGTH_UNITS", 1), call("SET_SPINDLE_MODE", 0, 1e30), call("SET_SPINDLE_SPEED", 0, 500.0),
+        call("SET_SPINDLE_MODE", 0, 0.0), call("SET_SPINDLE_SPEED", 0, 1200.0), END,
+    ]) == expected  # fmt: skip
 
 
 def test_what_depends_on_the_start_gets_no_word(fake: FakePackage) -> None:
-    fake.calls = ["STRAIGHT_TRAVERSE(1)", "STRAIGHT_TRAVERSE(2)"]
     first = [motion("rapid", 1, [10.0, 20.0, 19.7]), motion("rapid", 2, [10.0, 20.0, 5.0]), END]
     second = [motion("rapid", 1, [10.0, 20.0, 31.3]), motion("rapid", 2, [10.0, 20.0, 5.0]), END]
     assert fake.unroll(first, second) == ["N1 G0 X10.0000000 Y20.0000000", "N2 G0 Z5.0000000"]
@@ -110,7 +122,6 @@ def test_what_depends_on_the_start_gets_no_word(fake: FakePackage) -> None:
 
 def test_increments_from_the_start_stay_increments(fake: FakePackage) -> None:
     """They had no words at all: what was written left the motion out, with exit code 0."""
-    fake.calls = ["STRAIGHT_TRAVERSE(1)", "STRAIGHT_FEED(2)", "STRAIGHT_FEED(3)"]
     ends = [[11.0, 2.0, 19.7], [11.0, 5.0, 17.7], [40.0, 5.0, 17.7]]
     others = [[11.5, 2.5, 31.3], [11.5, 5.0, 29.3], [40.0, 5.0, 29.3]]
     first, second = (
@@ -122,10 +133,10 @@ def test_increments_from_the_start_stay_increments(fake: FakePackage) -> None:
     assert fake.unroll(first, second) == [
         "G91", "N1 G0 X10.0000000", "N2 G1 Y3.0000000 Z-2.0000000", "G90", "N3 G1 X40.0000000",
     ]  # fmt: skip
-    with pytest.raises(InputError, match="line 2 moves axes by increments and to positions"):
+    with pytest.raises(InputError, match="line 2: moves axes by increments and to positions"):
         fake.unroll(first, second_z)
     second[2][5] = [40.0, 5.5, 28.0, 0.0, 0.0, 0.0]
-    with pytest.raises(InputError, match="where the motion of line 3 goes depends on where the axes stand"):
+    with pytest.raises(InputError, match="line 3: where this motion goes depends on where the axes stand"):
         fake.unroll(first, second)
 
 
@@ -136,7 +147,7 @@ def test_a_speed_along_the_surface_passes(tmp_path: Path, via: bool) -> None:
     program.write_text("G20 G90\nG0 X1 Y1 Z.5\nG96 D2500 S200 M3\nG1 X2 F4\nG97 S1000\nX3\nM2\n")
     assert grade(program, PACKAGE, tmp_path, via=via).outcome == "accepted"
     written = (tmp_path / "out.ngc").read_text()
-    assert ("G96 D2500.0000 S60.9600" if via else "G96 D2500 S200 M3") in written
+    assert ("G96 D2500 S60.96" if via else "G96 D2500 S200 M3") in written
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
@@ -150,23 +161,23 @@ def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("calls", "motions", "words"),
+    ("made", "words"),
     [
-        (["STRAIGHT_PROBE(1)"], [["other", 4, "probing (G38)"]], "probing"),
-        (["RIGID_TAP(1)"], [], "the program calls RIGID_TAP"),
-        (["NURBS_FEED(5, ...)"], [], "where a spline goes depends on"),
-        (["STRAIGHT_FEED(1)"], [], "more motions than the module"),
-        ([], [motion("feed", 1, [1.0, 2.0, 3.0])], "more motions than rs274"),
-        (["ARC_FEED(1)"], [motion("arc", 7, [1.0, 2.0, 3.0], 1, 1, [0.0, 0.0])], "where the arc of line 7 begins"),
-        (["USE_TOOL_LENGTH_OFFSET(0.0 0.0 81.0)"], [], "a length of 81.0000 mm is in force before a tool change"),
+        (["other", 4, "probing (G38)"], "line 4: probing"),
+        (call("WAIT", 0, 1, 0, 0.0, line=4), "line 4: M66 waits for an input"),
+        (call("ORIENT_SPINDLE", 0, 90.0, 0, line=4), "line 4: turning the spindle to an angle (M19)"),
+        (call("SET_TOOL_TABLE_ENTRY", 1, 1, line=4), "line 4: a change of the tool table (G10 L1, L10, L11)"),
+        (call("CHANGE_TOOL_NUMBER", 2, line=4), "line 4: another number of the tool in the spindle (M61)"),
+        (call("START_SPEED_FEED_SYNCH", 0, 1.0, False, line=4), "line 4: motion by the turns of the spindle (G33"),
+        (call("ANOTHER", 1, line=4), "line 4: the program calls ANOTHER"),
+        (call("NURBS_FEED", 5, line=4), "line 4: where a spline goes depends on"),
+        (motion("arc", 7, [1.0, 2.0, 3.0], 1, 1, [0.0, 0.0]), "line 7: where this arc begins depends on"),
+        (call("USE_TOOL_LENGTH_OFFSET", 0.0, 0.0, 81.0, line=4), "a length of 81.0000 mm is in force before a tool"),
     ],
 )  # fmt: skip
-def test_what_is_not_written_is_refused(
-    fake: FakePackage, calls: list[str], motions: list[list[object]], words: str
-) -> None:
-    fake.calls = calls
+def test_what_is_not_written_is_refused(fake: FakePackage, made: list[object], words: str) -> None:
     with pytest.raises(InputError, match=words.replace("(", r"\(").replace(")", r"\)")):
-        fake.unroll([*motions, END], tools=ToolTable({1: Tool(length=80.0)}))
+        fake.unroll([made, END], tools=ToolTable({1: Tool(length=80.0)}))
 
 
 def test_faults_of_the_interpreter(fake: FakePackage) -> None:
@@ -174,22 +185,43 @@ def test_faults_of_the_interpreter(fake: FakePackage) -> None:
         fake.unroll([["end", 9, 5, "Unknown g code used"]])
     with pytest.raises(InputError, match="broke off"):
         fake.unroll([])
-    with pytest.raises(InputError, match="depends on where the axes stand"):
-        fake.unroll([motion("feed", 1, [1.0]), END], [END])
+    with pytest.raises(InputError, match="this version of LinuxCNC is not known: no call FLOOD_ON"):
+        fake.unroll([["end", 0, -1, "FLOOD_ON"]])
+    with pytest.raises(InputError, match="line 3: what the program does depends on where the axes stand"):
+        fake.unroll([motion("feed", 3, [1.0]), END], [END])
+
+
+def test_other_values_of_what_is_not_known_may_change_nothing(fake: FakePackage) -> None:
+    first = [motion("feed", 3, [1.0]), END]
+    with pytest.raises(InputError, match="line 3: what the program does here depends on a parameter"):
+        fake.unroll(first, third=[motion("feed", 3, [1.1]), END])
+    with pytest.raises(InputError, match="line 3: what the program does here depends on a parameter"):
+        fake.unroll(first, third=[["end", 3, 5, "Unknown g code used"]])
+    with pytest.raises(InputError, match=r"line 3: this \(cutter radius compensation\) depends on the diameter"):
+        fake.unroll(first, third=[motion("feed", 3, [1.1]), END], diameters=True)
 
 
 def test_offsets_are_to_be_known_exactly(fake: FakePackage) -> None:
     """What is written is in machine coordinates: an offset that is 10 mm wrong would put the tool 10 mm wrong."""
-    fake.calls = ["SET_G5X_OFFSET(2, 0.0, 0.0)"]
+    made = [call("SET_G5X_OFFSET", 2), motion("rapid", 4, [1.0, 2.0, 3.0]), END]
     with pytest.raises(
-        InputError, match=r"G55: where its zero is is not known; say --offset G55=X\.\.,Y\.\.,Z\.\., exactly"
+        InputError, match=r"line 4: G55: where its zero is is not known; say --offset G55=X\.\.,Y\.\.,Z\.\., exactly"
     ):
-        fake.unroll([END])
-    ranged = Offsets({"G55": {"X": (0.0, 500.0)}}, {"X": 1.0}, "G55")
-    fake.rounds, fake._round = [[], []], 0
-    with pytest.raises(InputError) as caught:
+        fake.unroll(made)
+    ranged = Offsets({"G55": {"X": (0.0, 500.0)}}, {}, "G55")
+    fake.rounds = [[motion("rapid", 0, [0.0] * 3), *made]] * 3
+    with pytest.raises(InputError, match="a range does not go with --via-linuxcnc"):
         unrolled(fake.program, fake.folder, ranged, None, "in.ngc")
-    assert [fault.problem.split(" does")[0] for fault in caught.value.faults] == ["a range", "G92 in force"]
+    with pytest.raises(InputError, match="G92 in force"):
+        unrolled(fake.program, fake.folder, Offsets({}, {"X": 1.0}), None, "in.ngc")
+
+
+def test_a_file_behind_the_option_is_the_program(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It was taken for the folder of LinuxCNC, and the program was missing."""
+    (tmp_path / "in.ngc").write_text("M2\n")
+    words = ["compensate", str(tmp_path / "no.toml"), "--errors", "no.json", "--out", str(tmp_path / "out.ngc")]
+    assert main([*words, "--via-linuxcnc", str(tmp_path / "in.ngc")]) == 2
+    assert "no.toml: there is no such file" in capsys.readouterr().err
 
 
 def test_where_linuxcnc_is_not_installed(tmp_path: Path) -> None:
@@ -234,7 +266,7 @@ def test_macros_and_cutter_compensation_are_right_along_the_path(tmp_path: Path)
     assert graded.before > 0.01
     assert graded.after < 0.0014
     written = (tmp_path / "out.ngc").read_text()
-    assert "T1 M6" in written
+    assert "T1\nM6" in written
     assert "M3" in written
 
 
@@ -245,8 +277,8 @@ def test_tools_keep_their_numbers_and_lengths(tmp_path: Path) -> None:
     program.write_text("G21 G90\nT7 M6\nG43 H7\nG0 Z5\nT3 M6\nG43 H3\nG0 Z6\nM2\n")
     tools = ToolTable({7: Tool(length=70.0), 3: Tool(length=30.0)})
     text = unrolled(program, PACKAGE, AT_ZERO, tools, "in").text
-    assert [line for line in text.splitlines() if line[0] in "TN"] == [
-        "T7 M6", "N4 G0 Z75.0000000", "T3 M6", "N7 G0 Z36.0000000",
+    assert [line for line in text.splitlines() if line[0] in "TN" or line == "M6"] == [
+        "T7", "M6", "N4 G0 Z75.0000000", "T3", "M6", "N7 G0 Z36.0000000",
     ]  # fmt: skip
 
 

@@ -14,7 +14,7 @@ import sys
 
 PROGRAM, VAR, PACKAGES = sys.argv[1:4]
 START = sys.argv[5] if len(sys.argv) > 5 else ""
-TOOLS = json.loads(sys.argv[4])  # number and length (mm) in the order of the table, the spindle first
+TOOLS = json.loads(sys.argv[4])  # number, length and diameter (mm) in the order of the table, the spindle first
 sys.path.insert(0, PACKAGES)
 sys.setdlopenflags(os.RTLD_LAZY | os.RTLD_GLOBAL)  # what is loaded before it calls it
 import gcode  # noqa: E402
@@ -36,7 +36,7 @@ class Canon:
         self.g5x = self.g92 = self.tool = (0.0,) * 9
         self.at = [0.0] * 9  # machine coordinates in inches
         self.told = None  # what the module has been told of where the axes stand
-        self.changing = False  # in the block of a tool change
+        self.changing, self.place = False, 0  # in the block of a tool change
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -79,7 +79,8 @@ class Canon:
         print("length", self.line, f"{values[2] * MM:.9f}")
 
     def change_tool(self, pocket):
-        print("tool", self.line, pocket)
+        print("tool", self.line, TOOLS[pocket][0])
+        self.place = pocket  # the tool in the spindle: get_tool(0)
         self.changing = True
         self.stand()
 
@@ -132,8 +133,9 @@ class Canon:
         return 0o777
 
     def get_tool(self, pocket):
-        tool = TOOLS[pocket] if pocket < len(TOOLS) else (-1, 0.0)
-        return (tool[0], 0.0, 0.0, tool[1], *(0.0,) * 9, 0)
+        place = self.place if pocket == 0 else pocket
+        tool = TOOLS[place] if place < len(TOOLS) else (-1, 0.0, 0.0)
+        return (tool[0], 0.0, 0.0, tool[1], *(0.0,) * 6, tool[2], 0.0, 0.0, 0)
 
     def get_block_delete(self):
         return True

@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.path_distance import FloatArray, apart, distances, sampled, way
-from tests.shop_programs.interpreter import Ran, ended, run
+from tests.compensation.rs274_calls import INCH, calls_of, different_modes
+from tests.shop_programs.interpreter import Ran, diameter_of, ended, run, tool_table
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.compensation.tools import Cutter, Tool, ToolTable
 from trueaxis.io.faults import InputError
 
 TRAVEL = 1500.0  # mm each way
@@ -64,7 +65,9 @@ def settings_of(text: str) -> Settings:
         name: {axis: (value, value) for axis, value in zip("XYZ", values, strict=True)}
         for name, values in zip(names, OFFSETS, strict=True)
     }
-    tools = ToolTable({tool: Tool(length=length) for tool, length in LENGTHS.items()})
+    tools = ToolTable({
+        tool: Tool(length=length, cutter=Cutter(diameter_of(tool))) for tool, length in LENGTHS.items()
+    })  # fmt: skip
     passed = sorted({int(code) for code in re.findall(r"[Mm]0*(\d+)", text)} & {48, 49, 50, 51, 52, 53, *range(60, 69)})
     return Settings(
         dialect="linuxcnc", offsets=Offsets(offsets, {}, "G54"), tools=tools, block_delete="skip",
@@ -117,8 +120,23 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
         written = run(out, package, LENGTHS, OFFSETS)
         if written.problem:
             return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
-        return _compared(name, kind, source, written, tried)
+        graded = _compared(name, kind, source, written, tried)
+        if via and graded.outcome == "accepted" and (problem := _other_modes(program, out, folder)):
+            return replace(graded, outcome="wrong", reason=problem)
+        return graded
     return Grade(name, kind, "refused", refusal)
+
+
+def _other_modes(program: Path, out: Path, folder: Path) -> str:
+    """Which modes and calls are not those of the source, in LinuxCNC's stand-alone interpreter; empty: none."""
+    values = {5220: 1.0} | {5221 + 20 * k + row: at[row] / INCH for k, at in enumerate(OFFSETS) for row in range(3)}
+    values |= dict.fromkeys((*range(5161, 5170), *range(5181, 5190), *range(5210, 5220)), 0.0)
+    given = tool_table(LENGTHS, INCH), values
+    source, written = (calls_of(path, folder / "rs274", *given, skips=True) for path in (program, out))
+    cycles = any(one.modes["path"] != source[0].modes["path"] for one in source)
+    silent = not re.search(r"(?i)G\s*6[14](?![0-9])", program.read_text("latin-1"))
+    # where a program says no path mode, that of its first cycle stays
+    return different_modes(source, written, ("path", "P", "Q") if cycles and silent else ())
 
 
 def _refusal(program: Path, out: Path, settings: Settings, via: Path | None) -> str:

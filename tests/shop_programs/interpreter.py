@@ -45,6 +45,16 @@ class Ran:
     free: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((0, 3), dtype=bool))
 
 
+def diameter_of(tool: int) -> float:
+    """mm: no two the same, and small enough for inside corners of contours."""
+    return 2.0 + 0.01 * tool
+
+
+def tool_table(tools: Mapping[int, float], unit: float) -> str:
+    """LinuxCNC's, of lengths in mm by number, in a unit of so many mm."""
+    return "".join(f"T{t} P{t} Z{z / unit:.9f} D{diameter_of(t) / unit:.9f}\n" for t, z in tools.items())
+
+
 def packages_of(package: Path) -> tuple[Path, dict[str, str]]:
     """Where the gcode module of an unpacked package (or of `/`) is, and the environment that it needs."""
     libraries = f"{package}/usr/lib:{package}/usr/lib/x86_64-linux-gnu"
@@ -80,7 +90,7 @@ def _run(
         var.write_text("".join(f"{n}\t{value:.6f}\n" for n, value in sorted(values.items())))
         env = {"PATH": os.environ["PATH"], "HOME": folder, **environment}
         preload = {"LD_PRELOAD": splines} if (splines := _splines()) else {}
-        table = json.dumps([(0, 0.0), *tools.items()])
+        table = json.dumps([(0, 0.0, 0.0), *((tool, length, diameter_of(tool)) for tool, length in tools.items())])
         _make_tools(Path(folder), package, tools, env)
         copy = Path(folder) / "program.ngc"
         copy.write_bytes(ended(program.read_bytes()))
@@ -124,7 +134,7 @@ def ended(program: bytes) -> bytes:
 
 def _make_tools(folder: Path, package: Path, tools: Mapping[int, float], env: Mapping[str, str]) -> None:
     """Have the shared table of tools made; lengths in mm."""
-    (folder / "tool.tbl").write_text("".join(f"T{tool} P{tool} Z{length}\n" for tool, length in tools.items()))
+    (folder / "tool.tbl").write_text(tool_table(tools, 1.0))
     (folder / "units.ini").write_text("[TRAJ]\nLINEAR_UNITS = mm\n")
     (folder / "empty.ngc").write_text("M2\n")
     (folder / "empty.var").write_text("")

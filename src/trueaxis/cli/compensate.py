@@ -171,7 +171,8 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
                         "change little, and the report says how much; --touched-off says how it was set. A range like "
                         "X0:500 asks for the worst case")  # fmt: skip
     parser.add_argument("--offsets", type=Path, metavar="FILE",
-                        help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
+                        help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]; --via-linuxcnc reads "
+                        "all parameters of the .var")  # fmt: skip
     parser.add_argument("--touched-off", type=_touched_off, action="append", default=[],
                         metavar="G54[=X..,Y..,Z..,L..]",
                         help="a work offset that was touched off without compensation: the part is then right against "
@@ -181,8 +182,8 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
                         help="leave motions in machine coordinates (G53, G153, SUPA, M91) as they are: places that "
                         "were taught without compensation, such as tool racks; G28 and G30 always are")  # fmt: skip
     parser.add_argument("--tools", type=Path, metavar="FILE",
-                        help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
-                        "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
+                        help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length, offset and "
+                        "diameter; G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
 
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:

@@ -12,6 +12,7 @@ import os
 import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, NoReturn
 
 from trueaxis import __version__
@@ -43,6 +44,7 @@ INTERRUPTED = 130  # as shells have it
 # size, and the last digits of a result would depend on the number of processors
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 SHELLS = ("bash", "zsh", "tcsh")
+FOLDER_OPTIONAL = "--via-linuxcnc"  # an option whose folder may be left out
 VERBOSITY = {"-v": logging.INFO, "--verbose": logging.INFO, "-q": logging.ERROR, "--quiet": logging.ERROR}
 
 
@@ -164,10 +166,14 @@ def _nearest(word: str, known: Sequence[str]) -> str:
 
 
 def _joined(words: Sequence[str]) -> list[str]:
-    """The words with values such as -10,0,5 joined to their option: argparse takes them for options of their own."""
+    """The words with values such as -10,0,5 joined to their option: argparse takes them for options of their own. A
+    file behind an option whose folder may be left out is no folder: it is the program.
+    """
     joined: list[str] = []
     for word in words:
-        if joined and joined[-1].startswith("--") and "=" not in joined[-1] and re.match(r"-[\d.]", word):
+        if joined and joined[-1] == FOLDER_OPTIONAL and Path(word).is_file():
+            joined[-1:] = [f"{FOLDER_OPTIONAL}=/", word]
+        elif joined and joined[-1].startswith("--") and "=" not in joined[-1] and re.match(r"-[\d.]", word):
             joined[-1] += f"={word}"
         else:
             joined.append(word)

@@ -1,7 +1,7 @@
 """A compensation from file to file, and the positions that a program commands."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
@@ -25,7 +25,8 @@ from trueaxis.compensation.dialects import (
     numbered,
 )
 from trueaxis.compensation.klartext_reader import KlartextReader
-from trueaxis.compensation.linuxcnc_blocks import PASSED
+from trueaxis.compensation.linuxcnc_blocks import Unrolled
+from trueaxis.compensation.linuxcnc_modes import PASSED
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
@@ -51,9 +52,12 @@ _AT_ONCE = 65536  # bytes read: some thousand blocks, which is what a batch take
 _ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
 UNROLLED = (
     "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
-    "offsets and tool lengths that were given are in its words, and must be those of the control exactly; "
-    "its N words are lines of the source, messages and comments are left out; lines in this report are those of the "
-    "unrolled program"
+    "offsets, tool lengths and diameters that were given are in its words, and must be those of the control exactly; "
+    "its N words, and lines in this report, are lines of the source; comments but for messages are left out"
+)
+EXACT_SINCE = (
+    "the program does not say its path mode (G61, G64 P) before this cycle, which LinuxCNC drills in exact path mode: "
+    "G61 stays in force after it, as the mode and tolerance of the control are not known"
 )
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
 _APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
@@ -193,18 +197,11 @@ def compensated(
     name = name or str(program)
     language = language or language_of(program)
     settings = _fitting(settings, model, language)
-    faults, notes, text = FaultLog(file=name), Notes(), None
+    faults, notes, vouched = FaultLog(file=name), Notes(), settings.pass_m
+    made: Unrolled | None = None
     if via_linuxcnc is not None:
         _check_unrolled(settings, language)
-        made = unrolled(
-            program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
-            settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
-        )  # fmt: skip
-        text, passed = made.text, (*settings.pass_m, *PASSED)
-        settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)
-        notes.add(0, UNROLLED)
-        if made.tool is not None:
-            notes.add(0, IN_SPINDLE.format(made.tool))
+        made, settings = _unrolled(program, model, settings, via_linuxcnc, name, notes)
     said, seen = settings.dialect, dialect_of(head_of(program)) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))
@@ -213,9 +210,11 @@ def compensated(
     klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
     read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
     reader = read_by(model.axes, settings, faults, notes)
+    if made is not None:
+        reader = NcReader(model.axes, settings, faults, notes, made.lines)
     mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
     written, blocks_out, ends_whole = target(), 0, True
-    with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
+    with program.open("rb") if made is None else BytesIO(made.text.encode("latin-1", "replace")) as source:
         lines = _Lines(source, faults, progress)
         items = reader.items(lines if isinstance(reader, NcReader) else single_lines(lines))
         pieces = marked(compensator.texts(items), mark)
@@ -226,6 +225,8 @@ def compensated(
                 ends_whole = piece.endswith("\n")
     faults.raise_if_any(overview(faults, model, said, seen))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+    if made is not None:
+        report = _of_source(report, program, vouched)
     if judge is not None:
         report = replace(report, reliance=judge(compensator.visited))
     return replace(report, blocks_out=0) if report.refused else report
@@ -238,6 +239,34 @@ def _check_unrolled(settings: Settings, language: Language) -> None:
     if settings.touched_off:
         problem = "does not go with --via-linuxcnc, which writes machine coordinates"
         raise InputError([Fault(TOUCHED_OFF, "", problem, "set the work offsets with compensated positions")])
+    if settings.keep_g53:
+        problem = "does not go with --via-linuxcnc, which writes all motions in machine coordinates"
+        raise InputError([Fault("--keep-g53", "", problem)])
+
+
+def _unrolled(
+    program: Path, model: ErrorModel, settings: Settings, package: Path, name: str, notes: Notes
+) -> tuple[Unrolled, Settings]:
+    """The program unrolled by LinuxCNC's interpreter, and the settings with which what comes out is read."""
+    made = unrolled(
+        program, package, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
+        settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
+    )  # fmt: skip
+    notes.add(0, UNROLLED)
+    if made.exact_since:
+        notes.add(made.exact_since, EXACT_SINCE)
+    if made.tool is not None:
+        notes.add(0, IN_SPINDLE.format(made.tool))
+    passed = (*settings.pass_m, *PASSED)
+    return made, replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)
+
+
+def _of_source(report: CompensationReport, program: Path, vouched: Sequence[int]) -> CompensationReport:
+    """The report of an unrolled program: what is read is the source, its offsets are in the words; vouched: M codes
+    that the user names.
+    """
+    passed = tuple(one for one in report.passed if one.code in vouched)
+    return replace(report, blocks_in=len(program.read_bytes().splitlines()), offsets=(), passed=passed)
 
 
 def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Settings:

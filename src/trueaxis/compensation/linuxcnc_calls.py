@@ -1,20 +1,28 @@
 # mypy: ignore-errors
 # ruff: noqa: D102
-"""Runs in LinuxCNC's own Python, apart from trueaxis: the motions that its interpreter makes of one program.
+"""Runs in LinuxCNC's own Python, apart from trueaxis: all that its interpreter asks of the machine in one program.
 
-linuxcnc_calls.py PROGRAM VAR PACKAGES TOOLS START SKIPS MOVED: PACKAGES is where the module gcode is, TOOLS numbers
-and lengths (mm) as JSON in the order of the table, START a block that puts the axes where they are taken to stand,
-SKIPS is `skip` where / blocks are skipped, MOVED how far X Y Z A B C (mm, deg; JSON) stand elsewhere after a tool
-change. One line of JSON a motion: kind, line of the program, plane, turns, centre (mm), positions X Y Z A B C in
-machine coordinates (mm, deg); `stands` is where the next motion starts. The last line is the result.
+linuxcnc_calls.py TASK.json, whose keys are: program, its file; var, that of its parameters; table, that of its tools,
+as LinuxCNC has it; packages, where the module gcode is; tools, in the order of the table, each its number, X Y Z
+offset, diameter (mm), front and back angle, orientation, the first that in the spindle; start, a block that puts the
+axes where they are taken to stand; skips, whether / blocks are skipped; moved, how far X Y Z A B C (mm, deg) stand
+elsewhere after a tool change.
+
+Written are lines of JSON, one for everything that is asked. A motion: kind, line of the program, plane, turns, centre
+(mm), positions X Y Z A B C in machine coordinates (mm, deg); `stands` is where the next motion starts. A call: `call`,
+line, name, arguments. `other`, line: what is not written. The last line is the result.
 """
 
 import ctypes
 import json
+import os
 import sys
+from pathlib import Path
 
 MM = 25.4  # the module gives lengths in inches
+INCHES = 1  # CANON_UNITS
 PLANES = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
+NO_TOOL = [-1, [0.0, 0.0, 0.0], 0.0, 0.0, 0.0, 0]
 
 
 class Held:
@@ -23,14 +31,20 @@ class Held:
     """
 
     def __init__(self, module):
-        # the call by which the interpreter tells the module of a rapid, as C++ names it
-        self._traverse = ctypes.PyDLL(module)._Z17STRAIGHT_TRAVERSEiddddddddd
+        # the calls by which the interpreter tells the module of rapids and their speed, as C++ names them
+        library = ctypes.PyDLL(module)
+        self._traverse, self._rate = library._Z17STRAIGHT_TRAVERSEiddddddddd, library._Z17SET_TRAVERSE_RATEd
         self._traverse.argtypes = [ctypes.c_int] + [ctypes.c_double] * 9
+        self._rate.argtypes = [ctypes.c_double]
         self.telling, self._told = False, None
 
     def rapid(self, values):
         """The module has taken in what it was told."""
         self._told = values
+
+    def ask_line(self):
+        """Have the module tell the line that the interpreter is in: it does before any call."""
+        self._rate(0.0)
 
     def put(self, line, words):
         """Tell the module a position: words of the program, in inches and deg."""
@@ -45,9 +59,12 @@ class Held:
 class Canon:
     """What the interpreter calls; positions are those of the program."""
 
-    def __init__(self, var, tools, skips, moved, held):
-        self.parameter_file, self.tools, self.skips = var, tools, skips
+    def __init__(self, task, held, out):
+        self.parameter_file, self.tools, self.skips = task["var"], task["tools"], task["skips"]
+        moved = task["moved"]
         self.moved_by, self.held = [*(value / MM for value in moved[:3]), *moved[3:], 0.0, 0.0, 0.0], held
+        self.spindle, self.out = self.tools[0], out
+        self.unit, self.tolerance = 1.0, {"MOTION_CONTROL": 0.0, "MOTION_CONTROL_NAIVECAM": 0.0}  # mm
         self.line, self.plane, self.changed_in, self.units = 0, 1, None, None
         self.at = (0.0,) * 9  # machine coordinates, inches and deg
         self.shifts = {"work": (0.0,) * 9, "set": (0.0,) * 9, "tool": (0.0,) * 9}
@@ -62,14 +79,38 @@ class Canon:
             self.say("other", "a tool change and a change of units in one block")
         self.line, self.changed_in, self.units = state.sequence_number, None, state.units
 
-    def set_g5x_offset(self, _index, *values):
+    def call(self, name, given):
+        """A call of linuxcnc_hooks."""
+        if name == "USE_LENGTH_UNITS":
+            self.unit = MM if given[0] == INCHES else 1.0
+        elif name == "SET_MOTION_CONTROL_MODE":
+            self.tolerance["MOTION_CONTROL"] = given[1] * self.unit
+        elif name == "SET_NAIVECAM_TOLERANCE":
+            self.tolerance["MOTION_CONTROL_NAIVECAM"] = given[0] * self.unit
+        self.held.ask_line()
+        self.say("call", name, *(one.decode("latin-1") if isinstance(one, bytes) else one for one in given))
+
+    def answers(self):
+        """What linuxcnc_hooks answers: as LinuxCNC's control does, in units of the program."""
+        names = {f"GET_EXTERNAL_{name}_TOLERANCE": name for name in self.tolerance}
+        return {call: lambda name=name: self.tolerance[name] / self.unit for call, name in names.items()}
+
+    def set_feed_rate(self, rate):
+        self.say("call", "SET_FEED_RATE", rate * MM)
+
+    def dwell(self, seconds):
+        self.say("call", "DWELL", seconds)
+
+    def set_g5x_offset(self, index, *values):
         self.shift("work", values)
+        self.say("call", "SET_G5X_OFFSET", index)
 
     def set_g92_offset(self, *values):
         self.shift("set", values)
 
     def tool_offset(self, *values):
         self.shift("tool", values)
+        self.say("call", "USE_TOOL_LENGTH_OFFSET", *(value * MM for value in values[:3]))
 
     def shift(self, which, values):
         """Part of the frame; in the block of a tool change the axes stay where they are, whatever is in force after."""
@@ -85,7 +126,9 @@ class Canon:
         self.plane = plane
 
     def say(self, kind, *values):
-        print(json.dumps([kind, self.line, *values]))
+        if self.line < 0:  # a motion of a cycle has no line of its own
+            self.held.ask_line()
+        print(json.dumps([kind, self.line, *values]), file=self.out)
 
     def total(self, values):
         return [sum(parts) for parts in zip(values, *self.shifts.values(), strict=True)]
@@ -95,8 +138,10 @@ class Canon:
             self.say("other", "an axis U, V or W moves")
         return [value * (MM if row < 3 else 1.0) for row, value in enumerate(values[:6])]
 
-    def change_tool(self, *_):
+    def change_tool(self, place):
         """A tool change may move the axes anywhere."""
+        self.spindle = self.tools[place] if 0 < place < len(self.tools) else NO_TOOL
+        self.say("call", "CHANGE_TOOL", max(self.spindle[0], 0))
         self.at = [a + b for a, b in zip(self.at, self.moved_by, strict=True)]
         self.say("stands", 0, 0, [], self.machine(self.at))
         self.changed_in = self.line
@@ -149,8 +194,10 @@ class Canon:
         return 0o777
 
     def get_tool(self, place):
-        tool, length = self.tools[place] if place < len(self.tools) else (-1, 0.0)
-        return (tool, 0.0, 0.0, length, *(0.0,) * 9, 0)
+        """The tool of a place of the table; 0 is the spindle."""
+        inside = 0 < place < len(self.tools)
+        tool, offset, diameter, *angles = self.spindle if place == 0 else self.tools[place] if inside else NO_TOOL
+        return (tool, *(value for value in offset), *(0.0,) * 6, diameter, *angles)
 
     def get_block_delete(self):
         return self.skips
@@ -159,19 +206,33 @@ class Canon:
         return False
 
 
-def main(program, var, packages, tools, start, skips, moved):
+def main(task):
     """Run one program."""
-    sys.path.insert(0, packages)
-    import gcode  # noqa: PLC0415  # of LinuxCNC: nothing of it is there when this file is imported
+    sys.path.insert(0, task["packages"])
+    # gcode is LinuxCNC's; linuxcnc_hooks stands beside this file, which is no part of a package where it runs
+    import gcode  # noqa: PLC0415
+    import linuxcnc_hooks  # noqa: PLC0415
 
-    # the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
-    ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
-    # the start leaves no motion in force, as LinuxCNC has none when a program begins
-    canon = Canon(var, json.loads(tools), skips == "skip", json.loads(moved), Held(gcode.__file__))
-    result, line = gcode.parse(program, canon, f"G21 {start}", "G80")
-    failed = result > gcode.MIN_ERROR
-    print(json.dumps(["end", line, result if failed else 0, gcode.strerror(result) if failed else ""]))
+    # the table of tools is memory shared by way of a file in HOME; without it the module crashes
+    table = ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)
+    table._Z17tool_mmap_creatorPK13EMC_TOOL_STATi(None, 0)
+    table._Z13tooldata_loadPKcPPc(task["table"].encode(), None)
+    with os.fdopen(os.dup(1), "w", encoding="utf-8") as out:
+        os.dup2(2, 1)  # what the program prints, (PRINT, ..), goes elsewhere
+        canon = Canon(task, Held(gcode.__file__), out)
+        try:
+            heard = linuxcnc_hooks.hear(canon.call, canon.answers())
+        except LookupError as missing:
+            print(json.dumps(["end", 0, -1, str(missing)]), file=out)
+            return None
+        # the start leaves no motion in force, as LinuxCNC has none when a program begins
+        result, _ = gcode.parse(task["program"], canon, f"G21 {task['start']}", "G80")
+        failed = result > gcode.MIN_ERROR  # in the line that the module has told last: the one it returns may be later
+        print(
+            json.dumps(["end", canon.line, result if failed else 0, gcode.strerror(result) if failed else ""]), file=out
+        )
+        return heard  # until the process ends
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    alive = main(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))

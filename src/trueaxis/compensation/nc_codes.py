@@ -194,8 +194,9 @@ KNOWN: dict[int, MCode] = {
 }
 TOOL_CHANGE = 6
 SPINDLE, SPINDLE_STOP = frozenset({3, 4, 5}), 5
+PALLETS = 60  # of LinuxCNC
 END = frozenset(code for code, known in KNOWN.items() if known.ends)
-STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE)
+STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE) | {PALLETS}
 # no more than on or off of what is no axis, everywhere
 SWITCHES = frozenset(code for code, known in KNOWN.items() if known.axes_kept and not known.ends)
 AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timing.AFTER)
@@ -232,6 +233,7 @@ KNOWN_ON: dict[str, dict[int, MCode]] = {
         127: MCode("rotary axes turn on the way that their positions give", Timing.BEFORE),
         137: MCode("end of M136", Timing.BEFORE),
     },
+    "linuxcnc": {PALLETS: MCode("change of pallets, and stop", Timing.AFTER, axes_kept=False)},
 }
 # tool centre point control on and off; LinuxCNC: as its sample machines with switchable kinematics have it
 POINT_CONTROL: dict[str, dict[int, bool]] = {
@@ -262,7 +264,7 @@ def spindle_of(code: int) -> str:
 
 def may_move(code: int, passed: Collection[int]) -> bool:
     """Whether axes may stand elsewhere after a stop or a tool change: unless `passed` vouches that they do not."""
-    return code in KNOWN and not KNOWN[code].axes_kept and code not in passed
+    return (code == PALLETS or (code in KNOWN and not KNOWN[code].axes_kept)) and code not in passed
 
 
 def vouched_for(code: int, passed: Collection[int]) -> bool:

@@ -6,7 +6,10 @@ decimal point count is for `--integers` to say. A program says where its modes b
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import PlainRun
@@ -44,8 +47,11 @@ _STRAIGHT = (Kind.RAPID, Kind.LINE)
 class NcReader:
     """Turns the lines of one program into items; faults and notes are gathered in the logs given."""
 
-    def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
-        self._axes = axes
+    def __init__(
+        self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes, lines: Sequence[int] = ()
+    ) -> None:
+        """lines: by which each line of the text is named, where that is not its own number."""
+        self._axes, self._named = axes, np.array(lines, dtype=np.int64)
         self._settings = settings
         self._faults = faults
         self._notes = notes
@@ -71,17 +77,22 @@ class NcReader:
             while place < len(text):
                 run = runs.read(number + 1, text)
                 if run is not None:
-                    yield run.moves
+                    yield self._of_source(run.moves)
                     number, place = number + run.lines, place + run.size
                     continue
                 end = text.find("\n", place) + 1 or len(text)
                 line, number, place = text[place:end], number + 1, end
                 match = plain(line)
-                move = plain_move(number, line, match, state, undotted_mm) if match else None
+                name = int(self._named[number - 1]) if self._named.size else number
+                move = plain_move(name, line, match, state, undotted_mm) if match else None
                 if move is not None:
                     yield move
                 else:
-                    yield from self._any(number, line)
+                    yield from self._any(name, line)
+
+    def _of_source(self, run: PlainRun) -> PlainRun:
+        """A run with the lines by which it is named."""
+        return replace(run, line=self._named[run.line - 1]) if self._named.size else run
 
     def _any(self, number: int, line: str) -> list[Item]:
         """Any line: what it sets, and its moves if it has some."""

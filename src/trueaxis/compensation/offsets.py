@@ -5,7 +5,7 @@ LinuxCNC's .var files, TOML.
 import math
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from trueaxis.io.faults import Fault, Faults, InputError
@@ -27,11 +27,13 @@ Range = tuple[float, float]  # lowest and highest value, mm or deg; the same whe
 class Offsets:
     """systems: for each work offset (`G54`, `G54.1 P3`) the position of its zero in machine coordinates, mm and deg, by
     axis. shift: of G92 and G52 on top of all. active: the work offset that is in force at first, None: not known.
+    parameters: all that a .var file of LinuxCNC has, by number, mm and deg.
     """
 
     systems: Mapping[str, Mapping[str, Range]] = field(default_factory=dict)
     shift: Mapping[str, float] = field(default_factory=dict)
     active: str | None = None
+    parameters: Mapping[int, float] = field(default_factory=dict)
 
     @property
     def first(self) -> str | None:
@@ -124,7 +126,7 @@ def with_options(offsets: Offsets, given: Iterable[tuple[str, dict[str, Range]]]
             raise InputError([Fault("--offset", "", f"{system} is given twice")])
         named.add(system)
         systems[system] = {**systems.get(system, {}), **values}
-    return Offsets(systems, offsets.shift, offsets.active)
+    return replace(offsets, systems=systems)
 
 
 def _from_toml(text: str, faults: Faults) -> Offsets:
@@ -179,7 +181,7 @@ def _from_var(text: str, faults: Faults) -> Offsets:
     if in_force not in range(1, 1 + len(NUMBERED)):
         faults.add("", f"parameter {_IN_FORCE} is {in_force:g}, no work offset", f"1 to {len(NUMBERED)}")
         return Offsets()
-    return Offsets(systems, shift, NUMBERED[int(in_force) - 1])
+    return Offsets(systems, shift, NUMBERED[int(in_force) - 1], values)
 
 
 def _systems(values: dict[int, float], faults: Faults) -> dict[str, dict[str, Range]]:

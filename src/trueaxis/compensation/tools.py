@@ -1,7 +1,7 @@
 """What is known of the tools of a program, and where it is read from: LinuxCNC's tool.tbl, TOML."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,6 +15,17 @@ from trueaxis.machine.fields import Fields, shown
 
 
 @dataclass(frozen=True, slots=True)
+class Cutter:
+    """What LinuxCNC's interpreter needs of a tool beside its length. diameter, mm, None: not known; angles: front and
+    back, deg, and orientation of the edge, of lathe tools.
+    """
+
+    diameter: float | None = None
+    angles: tuple[float, float] = (0.0, 0.0)
+    orientation: int = 0
+
+
+@dataclass(frozen=True, slots=True)
 class Tool:
     """length: what G43 adds to Z, from the point that --tool-point names to the tip; offset: further X Y Z, as in a
     tool table of LinuxCNC. point: the point to be compensated, tool frame; None: what follows from both. mm.
@@ -23,6 +34,7 @@ class Tool:
     length: float = 0.0
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     point: tuple[float, float, float] | None = None
+    cutter: Cutter = Cutter()
 
     @property
     def shift(self) -> tuple[float, float, float]:
@@ -102,8 +114,11 @@ def _from_toml(text: str, faults: Faults) -> dict[int, Tool]:
             length = table.number("length", _RIGHT) or 0.0
         if abs(length) > LONGEST:
             table.fault("length", f"is {length:g}", _RIGHT)
-        table.refuse_others("length, offset, point")
-        tools[int(key)] = Tool(length, offset or (0.0, 0.0, 0.0), point)
+        diameter = table.number("diameter", _RIGHT) if "diameter" in table.raw else None
+        if diameter is not None and not 0.0 <= diameter <= LONGEST:
+            table.fault("diameter", f"is {diameter:g}", f"a diameter in mm, from 0 to {LONGEST:g}")
+        table.refuse_others("length, offset, point, diameter")
+        tools[int(key)] = Tool(length, offset or (0.0, 0.0, 0.0), point, Cutter(diameter))
     top.refuse_others("tool")
     return tools
 
@@ -118,7 +133,7 @@ def _lengths(table: Fields, key: str) -> tuple[float, float, float] | None:
 
 
 def _from_table(text: str, faults: Faults) -> dict[int, Tool]:
-    """LinuxCNC's table, taken in mm: T is the number, X Y Z what G43 adds."""
+    """LinuxCNC's table, taken in mm: T is the number, X Y Z what G43 adds, D the diameter, 0 where it is not there."""
     tools: dict[int, Tool] = {}
     for number, line in enumerate(text.splitlines(), 1):
         said = line.partition(";")[0]
@@ -128,10 +143,22 @@ def _from_table(text: str, faults: Faults) -> dict[int, Tool]:
         if not _LINE.fullmatch(said) or "T" not in entries or not 0 <= entries["T"] < 1e8 or entries["T"] % 1:
             faults.add(f"line {number}", f"{shown(line)} is no line of a tool table", "like T1 P1 Z102.5 D6.0")
             continue
-        x, y, z = (entries.get(axis, 0.0) for axis in "XYZ")
         if int(entries["T"]) in tools:
             faults.add(f"line {number}", f"T{entries['T']:g} is there twice", "one line for each tool")
-        if max(map(abs, (x, y, z))) > LONGEST:
-            faults.add(f"line {number}", f"T{entries['T']:g} is longer than {LONGEST:g} mm", "a table in mm")
-        tools[int(entries["T"])] = Tool(z, (x, y, 0.0))
+        for problem, right in _problems(entries):
+            faults.add(f"line {number}", f"T{entries['T']:g} {problem}", right)
+        x, y, z, diameter, front, back, edge = (entries.get(letter, 0.0) for letter in "XYZDIJQ")
+        tools[int(entries["T"])] = Tool(z, (x, y, 0.0), cutter=Cutter(diameter, (front, back), int(edge)))
     return tools
+
+
+def _problems(entries: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """What is wrong with a line of a table, and what would be right."""
+    if max(abs(entries.get(axis, 0.0)) for axis in "XYZ") > LONGEST:
+        yield f"is longer than {LONGEST:g} mm", "a table in mm"
+    if abs(entries.get("D", 0.0)) > LONGEST:
+        yield f"has a diameter of more than {LONGEST:g} mm", "a table in mm"
+    if shifted := [axis for axis in "ABCUVW" if entries.get(axis)]:
+        yield f"has an offset in {' '.join(shifted)}, which is not followed", "offsets in X, Y and Z"
+    if not (0.0 <= entries.get("Q", 0.0) <= 9.0 and entries.get("Q", 0.0) % 1 == 0.0):
+        yield f"has the orientation Q{entries['Q']:g}", "Q0 to Q9"

@@ -1,10 +1,10 @@
 """Has LinuxCNC's interpreter unroll a program: macros, subprograms and cutter compensation become plain motions.
 
-The interpreter (Debian package linuxcnc-uspace) runs in processes of its own, in an empty folder, with a table of tools
-and offsets made for it, no INI of the shop, no remapped codes, no Python and no M codes of the user. Its module `gcode`
-gives the motions, twice, from two places: what differs depends on where the axes stand at first, and is not known. Its
-program `rs274` gives the other calls (spindle, coolant, tools, dwells). What comes out is a program of lines and arcs
-in machine coordinates that NcReader reads as any other; its N words are the lines of the source.
+The interpreter (Debian package linuxcnc-uspace) runs in processes of its own, in an empty folder, with the parameters
+and the table of tools that are given, no INI of the shop, no remapped codes, no Python and no M codes of the user. It
+runs three times: from two places, as what differs depends on where the axes stand at first, and is not known; and with
+other values of what else is not known, which may change nothing. What comes out is a program of lines and arcs in
+machine coordinates that NcReader reads as any other; its N words are the lines of the source.
 """
 
 import json
@@ -14,37 +14,39 @@ import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 from trueaxis.compensation.linuxcnc_blocks import AXES, SAME, UNCERTAIN, Motion, Unrolled, unrolled_program
-from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width, middle
-from trueaxis.compensation.settings import MM_PER_INCH, BlockDelete
-from trueaxis.compensation.tools import ToolTable
+from trueaxis.compensation.linuxcnc_modes import Call
+from trueaxis.compensation.linuxcnc_source import Source, control_faults, fault_of, marked_source
+from trueaxis.compensation.linuxcnc_state import Round, known_parameters, point_faults, rounds_of
+from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width
+from trueaxis.compensation.settings import BlockDelete
+from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 
 CALLS = Path(__file__).with_name("linuxcnc_calls.py")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is made for
 SECONDS = 600
-# two places where the axes are taken to stand at first, mm and deg, that no program names
-STARTS = (
-    {"X": 13.1713, "Y": 17.3319, "Z": 19.7117, "A": 1.1713, "B": 1.3319, "C": 1.7117},
-    {"X": 23.9173, "Y": 29.1371, "Z": 31.3733, "A": 2.9173, "B": 2.1371, "C": 3.3733},
-)
-# and by how much a tool change, or G28 to a point that is not known, puts them elsewhere
-MOVED = ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0), (7.7191, 9.3137, 11.7793, 0.7191, 0.9137, 1.3793))
-_WAITS = re.compile(rb"(?i)M\s*0*66(?![0-9.])")
-# parameters that are lengths: X Y Z of G28, G30, G92 and the work offsets
-_LENGTHS = frozenset(
-    base + row for base in (5161, 5181, 5211, *range(5221, 5221 + 20 * len(NUMBERED), 20)) for row in range(3)
-)
 _OPTIONAL = re.compile(rb"(?m)^[ \t]*/")
+_MOTIONS = frozenset({"rapid", "feed", "arc", "stands"})
 NOT_INSTALLED = (
     "LinuxCNC's interpreter is not there",
     "install the Debian package linuxcnc-uspace, or name the folder into which it is unpacked: --via-linuxcnc DIR",
 )
+RADIUS = "this (cutter radius compensation) depends on the diameter of a tool, which is 0 in --tools or not known"
+DIAMETER = "D in the tool table, diameter in TOML"
+UNKNOWN = (
+    "what the program does here depends on a parameter that is neither set before nor known, or on the tool in the "
+    "spindle at first"
+)
+UNKNOWN_REMEDY = "T and M6 at its beginning, parameters by --offsets FILE.var"
+
+Record = list[Any]
 
 
 def unrolled(
@@ -62,146 +64,166 @@ def unrolled(
 
     package: the folder in which LinuxCNC is installed (`/`) or unpacked. block_delete: what / blocks are. axes: those
     of the machine. reference_points: of Settings. kept: whether a tool change moves no axis. Raises InputError when the
-    interpreter is not there or refuses the program, when an offset that the program uses is not known, or when the
-    program does what lines and arcs do not say.
+    interpreter is not there or refuses the program, when a value that the program uses is not known, or when the
+    program does what lines, arcs and codes do not say.
     """
     where = package / "usr/lib/python3/dist-packages"
-    if not (package / "usr/bin/rs274").is_file() or not list(where.glob("gcode*.so")):
+    if not list(where.glob("gcode*.so")):
         raise InputError([Fault("--via-linuxcnc", "", *NOT_INSTALLED)])
-    if tools is not None and any(tool.offset[:2] != (0.0, 0.0) for tool in tools.tools.values()):
+    of_number = {} if tools is None else tools.tools
+    if any(tool.offset[:2] != (0.0, 0.0) for tool in of_number.values()):
         raise InputError([Fault("--tools", "", "offsets of tools in X and Y do not go with --via-linuxcnc")])
-    source = program.read_bytes()
-    _check_source(source, name, block_delete)
-    lengths = {} if tools is None else {number: tool.shift[2] for number, tool in tools.tools.items()}
+    given, points = program.read_bytes(), reference_points or {}
+    _check_given(given, name, block_delete, offsets, points)
+    source = marked_source(given, known_parameters(offsets, points))
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
-        write_files({here / "program.ngc": source})
-        _write_state(here, offsets, lengths, reference_points or {}, axes)
+        write_files({here / "program.ngc": source.text})
         env = {
             "PATH": os.defpath, "HOME": folder,
             "LD_LIBRARY_PATH": f"{package}/usr/lib:{package}/usr/lib/{sys.implementation._multiarch}",
         }  # fmt: skip
-        rs274 = [str(package / "usr/bin/rs274"), "-g", "-t", "tool.tbl", "-v", "calls.var"]
-        rs274 += ["-b"] if block_delete == "skip" else []
-        calls = _run([*rs274, "program.ngc"], here, env)  # makes the table of tools that the module reads, too
-        table = json.dumps([(0, 0.0), *lengths.items()])
-        rounds = []
-        for number, (start, moved) in enumerate(zip(STARTS, MOVED, strict=True)):
-            begin = "G53 G0 " + " ".join(f"{axis}{start[axis]}" for axis in axes)
-            ways = zip(AXES, moved, strict=True)
-            elsewhere = json.dumps([way if axis in axes and not kept else 0.0 for axis, way in ways])
-            given = [f"motions{number}.var", str(where), table, begin, block_delete, elsewhere]
-            rounds.append(_run([PYTHON, str(CALLS), "program.ngc", *given], here, env))
-    _check_offsets(calls, offsets, name)
-    motions = _motions(rounds, name)
+        task = {"program": "program.ngc", "packages": str(where), "skips": block_delete == "skip"}
+        *three, by_diameter = rounds_of(offsets, of_number, points, axes, kept)
+        rounds = [_run(one, task, here, env) for one in three]
+        _check_rounds(rounds, lambda: _run(by_diameter, task, here, env), name)
+    _check_diameters(rounds[0], source, of_number, name)
+    _check_offsets(rounds[0], offsets, name)
     try:
-        return unrolled_program(calls.splitlines(), motions, {} if tools is None else tools.tools, axes, kept)
+        return unrolled_program(_made(rounds), of_number, axes, kept)
     except ValueError as problem:
-        raise InputError([Fault(name, "", f"{problem}, which is not unrolled")]) from None
+        line, text = problem.args
+        raise InputError([Fault(name, f"line {line}", text)]) from None
 
 
-def _check_source(source: bytes, name: str, block_delete: BlockDelete) -> None:
+def _check_given(
+    source: bytes, name: str, block_delete: BlockDelete, offsets: Offsets, points: Mapping[str, Mapping[str, float]]
+) -> None:
     """Faults of what is not known before the program runs."""
+    faults = [*control_faults(source, name), *point_faults(offsets, points)]
     optional = _OPTIONAL.search(source)
     if optional and block_delete == "fault":
         line = source.count(b"\n", 0, optional.start()) + 1
-        raise InputError([
-            Fault(name, f"line {line}", "whether a block with / is run is not known", "say --block-delete run or skip")
-        ])  # fmt: skip
-    for number, block in enumerate(source.split(b"\n"), 1):
-        if _WAITS.search(re.sub(rb"\([^()]*\)|;.*", b"", block)):
-            problem = "M66 waits for an input: what the program does then is not known"
-            raise InputError([Fault(name, f"line {number}", problem)])
-
-
-def _check_offsets(calls: str, offsets: Offsets, name: str) -> None:
-    """Faults of offsets that are not known exactly: what is written has them in its words."""
-    used = {NUMBERED[int(place) - 1] for place in re.findall(r"SET_G5X_OFFSET\((\d)", calls)}
-    faults = [
-        Fault(name, "", f"{system}: where its zero is is not known", f"say --offset {system}=X..,Y..,Z.., exactly")
-        for system in sorted(used - set(offsets.systems))
-    ]
-    if any(half_width(values) for system in used for values in offsets.systems.get(system, {}).values()):
-        faults.append(Fault("--offset", "", "a range does not go with --via-linuxcnc", "the value itself"))
+        problem = "whether a block with / is run is not known"
+        faults.append(Fault(name, f"line {line}", problem, "say --block-delete run or skip"))
     if any(offsets.shift.values()):
         faults.append(Fault("--offsets", "", "G92 in force does not go with --via-linuxcnc", "G92.1 on the control"))
     if faults:
         raise InputError(faults)
 
 
-def _write_state(
-    here: Path, offsets: Offsets, lengths: Mapping[int, float], points: Mapping[str, Mapping[str, float]],
-    axes: Sequence[str],
-) -> None:  # fmt: skip
-    """Files of parameters and tools: for the module in mm, for rs274, which takes all lengths for inches, in those."""
-    first = offsets.first or "G54"
-    switches = {5210: 0.0, 5220: NUMBERED.index(first) + 1.0}
-    values: dict[int, float] = {}
-    for place, system in enumerate(NUMBERED):
-        table = offsets.systems.get(system, {})
-        values |= {5221 + 20 * place + row: middle(table.get(axis, (0.0, 0.0))) for row, axis in enumerate(AXES)}
-        values |= {5221 + 20 * place + row: 0.0 for row in (6, 7, 8, 9)}
-    for base in (5161, 5181, 5211):
-        values |= {base + row: 0.0 for row in range(9)}
-    units = {"motions0": 1.0, "motions1": 1.0, "calls": MM_PER_INCH}
-    for (name, unit), moved in zip(units.items(), (*MOVED, MOVED[0]), strict=True):
-        for base, code in ((5161, "G28"), (5181, "G30")):
-            point = points.get(code, {})
-            values |= {base + AXES.index(axis): point.get(axis, moved[AXES.index(axis)]) for axis in axes}
-        scaled = {number: value / (unit if number in _LENGTHS else 1.0) for number, value in values.items()}
-        text = "".join(f"{number}\t{value:.9f}\n" for number, value in sorted((scaled | switches).items()))
-        write_files({here / f"{name}.var": text})
-    table_of_tools = (f"T{tool} P{tool} Z{length / MM_PER_INCH:.9f}\n" for tool, length in lengths.items())
-    write_files({here / "tool.tbl": "".join(table_of_tools)})
+def _check_offsets(records: Sequence[Record], offsets: Offsets, name: str) -> None:
+    """Faults of offsets that are not known exactly: what is written has them in its words."""
+    used: dict[str, int] = {}  # with the line of the first motion under each
+    active = offsets.first or "G54"
+    for kind, line, *more in records[1:]:
+        if kind == "call" and more[0] == "SET_G5X_OFFSET":
+            active = NUMBERED[int(more[1]) - 1]
+        elif kind in _MOTIONS and line:
+            used.setdefault(active, line)
+    faults = [
+        Fault(name, f"line {line}", f"{system}: where its zero is is not known",
+              f"say --offset {system}=X..,Y..,Z.., exactly")
+        for system, line in sorted(used.items()) if system not in offsets.systems
+    ]  # fmt: skip
+    if any(half_width(values) for system in used for values in offsets.systems.get(system, {}).values()):
+        faults.append(Fault("--offset", "", "a range does not go with --via-linuxcnc", "the value itself"))
+    if faults:
+        raise InputError(faults)
 
 
-def _run(command: Sequence[str], folder: Path, env: Mapping[str, str]) -> str:
+def _run(one: Round, task: Mapping[str, object], folder: Path, env: Mapping[str, str]) -> list[Record]:
+    """What the interpreter asks of the machine in one run, see linuxcnc_calls."""
+    more = {"start": one.start, "moved": one.moved, "tools": one.table}
+    files = {"var": one.parameters, "table": one.tools}
+    write_files({folder / name: text for name, text in files.items()})
+    write_files({folder / "task.json": json.dumps({**task, **more, **{name: name for name in files}})})
     try:
         done = subprocess.run(
-            command, cwd=folder, env=dict(env), capture_output=True, text=True, errors="replace", timeout=SECONDS,
-            check=False, stdin=subprocess.DEVNULL,
+            [PYTHON, "-B", str(CALLS), "task.json"], cwd=folder, env=dict(env), capture_output=True, text=True,
+            errors="replace", timeout=SECONDS, check=False, stdin=subprocess.DEVNULL,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         raise InputError([Fault("--via-linuxcnc", "", f"the interpreter took more than {SECONDS} s")]) from None
-    return done.stdout
+    return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
-    found: list[list[list[Any]]] = []
-    for text in rounds:
-        lines = [json.loads(line) for line in text.splitlines() if line.startswith("[")]
-        if not lines or lines[-1][0] != "end":
+def _check_rounds(rounds: Sequence[Sequence[Record]], by_diameter: Callable[[], Sequence[Record]], name: str) -> None:
+    """Faults of a program that LinuxCNC refuses, or that does other things with other values of what is not known;
+    by_diameter: a further run, with other diameters alone.
+    """
+    for records in rounds:
+        if not records or records[-1][0] != "end":
             raise InputError([Fault("--via-linuxcnc", "", "the interpreter broke off")])
-        _, line, result, problem = lines[-1]
-        if result and found:
-            raise InputError([Fault(name, f"line {line}", f"what the program does depends on {UNCERTAIN}")])
-        if result:
-            raise InputError([Fault(name, f"line {line}", f"LinuxCNC refuses the program: {problem}")])
-        others = [Fault(name, f"line {one[1]}", f"{one[2]} is not unrolled") for one in lines if one[0] == "other"]
-        if others:
-            raise InputError(others)
-        found.append(lines[:-1])  # the first is the motion to the start
-    if [(one[0], one[1]) for one in found[0]] != [(one[0], one[1]) for one in found[1]]:
-        raise InputError([Fault(name, "", f"what the program does depends on {UNCERTAIN}")])
-    motions = []
-    for (one, other), (before, before_other) in zip(
-        zip(found[0][1:], found[1][1:], strict=True), zip(*found, strict=True), strict=False
-    ):
-        kind, line, plane, turns, centre, end = one
-        if kind == "stands":  # what the next motion starts from
+    _, line, result, problem = rounds[0][-1]
+    if result == -1:
+        raise InputError([Fault("--via-linuxcnc", "", f"this version of LinuxCNC is not known: no call {problem}")])
+    if result:
+        raise InputError([fault_of(name, line, problem)])
+    if others := {(line, what): None for kind, line, what, *_ in rounds[0] if kind == "other"}:
+        raise InputError([Fault(name, f"line {line}", f"{what} is not unrolled") for line, what in others])
+    if (place := _first_difference(rounds[0], rounds[2], positions=True)) is not None:
+        radius = _first_difference(rounds[0], by_diameter(), positions=True) == place
+        what = (RADIUS, DIAMETER) if radius else (UNKNOWN, UNKNOWN_REMEDY)
+        raise InputError([Fault(name, f"line {rounds[0][place][1]}", *what)])
+    if (place := _first_difference(rounds[0], rounds[1], positions=False)) is not None:
+        line = rounds[0][place][1]
+        raise InputError([Fault(name, f"line {line}", f"what the program does depends on {UNCERTAIN}")])
+
+
+def _first_difference(one: Sequence[Record], other: Sequence[Record], positions: bool) -> int | None:
+    """The first record that differs; positions: whether those of motions are to be the same."""
+    for place, (a, b) in enumerate(zip_longest(one, other)):
+        if a is None or b is None:
+            return min(place, len(one) - 1)
+        whole = positions or a[0] not in _MOTIONS
+        if not (_same(a, b) if whole else a[:2] == b[:2]):
+            return place
+    return None
+
+
+def _same(one: object, other: object) -> bool:
+    """Whether two records say the same but for rounding."""
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(map(_same, one, other))
+    if isinstance(one, float) and isinstance(other, float):
+        return math.isclose(one, other, rel_tol=1e-9, abs_tol=SAME)
+    return one == other
+
+
+def _check_diameters(records: Sequence[Record], source: Source, tools: Mapping[int, Tool], name: str) -> None:
+    """Faults of lines that read the diameter of the tool in the spindle, where those of the program's are not known."""
+    used = {int(record[3]) for record in records if record[0] == "call" and record[2] == "CHANGE_TOOL"}
+    unknown = sorted(tool for tool in used if tool in tools and tools[tool].cutter.diameter is None)
+    if unknown and source.diameters:
+        problem = f"#5410 is a diameter, and that of T{unknown[0]} is not known"
+        raise InputError([Fault(name, f"line {line}", problem, "diameter in --tools") for line in source.diameters])
+
+
+def _made(rounds: Sequence[Sequence[Record]]) -> list[Motion | Call]:
+    """Motions and calls in order; what differs between the runs from two places is left open."""
+    made: list[Motion | Call] = []
+    before: list[tuple[float, ...]] = []
+    for one, other in zip(rounds[0], rounds[1], strict=True):
+        kind, line, *more = one
+        if kind == "call":
+            made.append(Call(line, more[0], more[1:]))
+        if kind not in _MOTIONS:
             continue
-        same = tuple(a if abs(a - b) < SAME else None for a, b in zip(end, other[5], strict=True))
-        ways = zip(end, before[5], other[5], before_other[5], strict=True)
-        way = tuple(a - c if abs((a - c) - (b - d)) < SAME else math.nan for a, c, b, d in ways)
-        motions.append(
-            Motion(
-                kind=str(kind),
-                line=int(line),
-                plane=int(plane),
-                turns=int(turns),
-                centre=tuple(centre),
-                end=same,
-                way=way,
+        plane, turns, centre, end = more
+        ends = [tuple(end), tuple(other[5])]
+        if before and kind != "stands":  # the first is the motion to the start; the next motion starts where it stands
+            ways = zip(ends[0], before[0], ends[1], before[1], strict=True)
+            made.append(
+                Motion(
+                    kind=kind,
+                    line=line,
+                    plane=int(plane),
+                    turns=int(turns),
+                    centre=tuple(centre),
+                    end=tuple(a if abs(a - b) < SAME else None for a, b in zip(*ends, strict=True)),
+                    way=tuple(a - c if abs((a - c) - (b - d)) < SAME else math.nan for a, c, b, d in ways),
+                )
             )
-        )
-    return motions
+        before = ends
+    return made

@@ -118,7 +118,9 @@ def tools_of(given: Tools | None) -> ToolTable | None:
         tool = one if isinstance(one, Tool) else Tool(_number(f"tools[{number}]", one))
         if not isinstance(number, int) or number < 0:
             raise ValueError(f"tools: expected numbers of tools, 0 or above; given {number!r}")
-        lengths = np.array([tool.length, *tool.offset, *(tool.point or ())], dtype=np.float64)
+        lengths = np.array(
+            [tool.length, *tool.offset, *(tool.point or ()), tool.cutter.diameter or 0.0], dtype=np.float64
+        )
         if not (np.abs(lengths) <= LONGEST).all():
             raise ValueError(f"tools[{number}]: expected lengths in mm, up to {LONGEST:g}; given {tool}")
         tools[number] = tool
