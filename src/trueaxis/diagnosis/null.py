@@ -8,14 +8,17 @@ from scipy.special import ndtri
 from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.noise import noise_of_runs
-from trueaxis.diagnosis.noise_fit import Found
+from trueaxis.diagnosis.noise_fit import UNEVEN, Found
 from trueaxis.diagnosis.projection import Projection, spanned
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
-from trueaxis.estimation.outliers import ALIKE, EXPECTED, NEIGHBOURS, excess, long, spoilt
+from trueaxis.estimation.factors import triangle_of
+from trueaxis.estimation.outliers import EXPECTED, NEIGHBOURS, WINDOW, Judged, covariance_of, excess, long, spoilt
 from trueaxis.model.model import MachineModel
 
+ALIKE = 0.5  # of the largest one: it bends the base, and with it readings of other runs, which wait
+AS_MANY = 0.5 * UNEVEN**-2.0  # readings whose mean square scatters as that of a run about its instrument's
 ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than a run has outliers
 
 
@@ -48,8 +51,7 @@ class Null:
 def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float | None) -> Null:
     """From the readings, outliers left out. values: (n,) mm, of all rows.
 
-    Of a run the farthest reading goes first, and the one beside it where it is as far off: others wait, as these two
-    pull what is fitted to them.
+    The farthest readings go first: others wait, as these pull what is fitted to them.
     """
     whole = found = _with_noise(rows, base_of(model, rows), values, noise_um)
     good, stays = np.ones((2, rows.size), dtype=bool)
@@ -186,13 +188,47 @@ def _left(null: Null, values: FloatArray) -> FloatArray:
 def _spoilt(null: Null, left: FloatArray, stays: BoolArray) -> BoolArray:
     """(n,): outliers. stays: (n,), readings that are none, whatever they are."""
     found = np.zeros(null.rows.size, dtype=bool)
-    for noise, one in zip(null.whitening.runs, null.base.runs, strict=True):
-        at = one.rows.at
-        scale, repeats = excess(left[at], noise.sigma), _apart(null.rows.target[at])
-        found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], repeats, null.rows.size, NEIGHBOURS)
+    basis, _, _ = factored(null.whitening, null.base.columns)
+    for place, (run, (few, weights)) in enumerate(zip(null.base.runs, basis.parts(), strict=True)):
+        at = run.rows.at
+        by_base = few @ triangle_of([weights.T]).T if at.size <= WINDOW else few[:, :0]
+        repeats = _apart(null.rows.target[at])
+        scale = None if null.found is None else float(null.found.scales[place])
+        found[at] = spoilt(_judged(null.whitening, place, left[at], repeats, by_base, scale), null.rows.size)
     found &= ~stays
     size = np.abs(left) / null.whitening.sigma
     return np.asarray(found & (size >= ALIKE * float(size[found].max(initial=0.0))))
+
+
+def _judged(
+    whiten: Whitening, place: int, left: FloatArray, repeats: IntArray, by_base: FloatArray, scale: float | None
+) -> Judged:
+    """The readings of a run beside what the base, (n, r) whitened, and its own unknowns make of them.
+
+    scale: of its white noise over that of its instrument, None where it is given.
+    """
+    run, own = whiten.runs[place], whiten.own[place]
+    taken, usual = np.zeros((left.size, 0)), 1.0
+    if left.size <= WINDOW:
+        weighed = np.linalg.solve(covariance_of(run.noise, run.steps, run.chance), own)
+        size, turned = np.linalg.eigh(own.T @ weighed)
+        told = size > RANK * size.max(initial=0.0)
+        taken = np.hstack([weighed @ (turned[:, told] / np.sqrt(size[told])), whiten.back_of_run(place, by_base)])
+    if scale is not None:
+        usual = (float(np.hypot(run.noise.white / scale, run.noise.slow)) / run.sigma) ** 2
+    else:
+        run = replace(run, noise=run.noise.sized(excess(left, run.sigma)))
+    return Judged(
+        steps=run.steps,
+        left=left,
+        repeats=repeats,
+        good=np.ones(left.size, dtype=bool),
+        noise=run.noise,
+        chance=run.chance,
+        taken=taken,
+        usual=usual,
+        told=np.inf if scale is None else AS_MANY,
+    )
 
 
 def _apart(target: IntArray) -> IntArray:

@@ -116,9 +116,13 @@ class Whitening:
         """(n, k) times the transpose: b such that b'a is the product of columns and a whitened, for any a."""
         found = np.empty(columns.shape, order="F")
         for place, here in runs_among(self.starts, np.arange(int(self.starts[-1]))):
-            run = self._of(place)
-            found[here] = run.alone.transposed(run.less_aside(columns[here].copy()))
+            found[here] = self.back_of_run(place, columns[here])
         return found
+
+    def back_of_run(self, place: int, columns: FloatArray) -> FloatArray:
+        """(m, k): the same of one run."""
+        run = self._of(place)
+        return run.alone.transposed(run.less_aside(columns.copy()))
 
     def only(self, keep: BoolArray) -> "Whitening":
         """Of some rows, (n,): a run of which none is kept is none."""

@@ -151,7 +151,7 @@ def _rounds(
         x, posterior = best_sizes(sizes, found, x)
         posterior, _ = _determined(sizes, posterior)
         before = moved(state, posterior, sizes.own_scales(x))
-        state = without_outliers(with_noise(before, posterior, draw, known or rounds > 1))
+        state = without_outliers(with_noise(before, posterior, draw, known or rounds > 1), posterior)
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
         same = all((one.good == now.good).all() for one, now in zip(before.runs, state.runs, strict=True))
         if change < SETTLED and same and rounds >= least:

@@ -29,6 +29,10 @@ class Noise:
         """Standard deviation of a reading."""
         return float(np.hypot(self.white, self.slow))
 
+    def sized(self, factor: float) -> "Noise":
+        """So many times as large."""
+        return Noise(factor * self.white, factor * self.slow, self.lasts)
+
     def independent(self, steps: FloatArray) -> float:
         """As many independent readings as have a mean square that scatters as that of these, (n,) as in `Whitening`."""
         alike = beside = 0.0  # squares of correlations with earlier readings, their sum over all

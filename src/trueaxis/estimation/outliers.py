@@ -1,49 +1,150 @@
-"""Readings that no noise explains: single ones, or two neighbours, that their repeats do not share."""
+"""Readings that no noise explains: single ones, or two neighbours, that their repeats do not share.
+
+A reading is judged against what all others let expect of it, by the noise that is left without it (deletion residuals;
+Cook and Weisberg, Residuals and Influence in Regression, 1982): the estimate has bent towards it, and the noise of its
+run was taken from it, too. The farthest reading is taken out, then the farthest of those that are left; the last one
+that is too far for chance and all before it are outliers (Rosner, Technometrics 25, 1983): two that hide each other
+are found.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
-from scipy.special import ndtri
+from scipy.special import ndtri, stdtrit
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 
+FEWEST = 3  # readings of a run, of which one can be told from the others
 EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data set
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
-ALIKE = 0.5  # of the largest one: a large outlier lifts the slow noise of its whole run, and smaller ones wait
 HALF = 0.6745  # of a normal distribution lies within so many standard deviations
 MOST = 0.1  # of a run, or two readings of a short one: where more are off, the model is
+WINDOW = 128  # readings that are judged together, at the cost of their cube: two outliers raise their noise by little
+QUIET = 3.0  # standard deviations: a window of a long run that has no reading beyond them has no outlier
+HELD = 0.05  # of a reading's variance: where all others leave less of it open, nothing is known of the reading itself
 
 
-def spoilt(
-    noise: Noise,
-    scale: float,
-    steps: FloatArray,
-    residual: FloatArray,
-    repeats: IntArray,
-    readings: int,
-    rounds: int | None = None,
-) -> BoolArray:
-    """(n,): outliers of one run. residual: (n,), mm; repeats: (n,), the same number where the same place was read;
-    readings: of the whole data set; rounds: after which the search ends, else when nothing is left.
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Judged:
+    """Readings of one run, in their order, and their noise as it was estimated.
+
+    steps: (n,), time since the reading before in typical steps; left: (n,), mm, what the estimate leaves of them;
+    repeats: (n,), the same number where the same place was read; good: (n,), those that the estimate is of; noise: of
+    the run; chance: (n, j), mm, how the run varies besides, one standard deviation each; taken: (n, k), the inverse of
+    the covariance of the good ones times a root of the covariance of what the estimate makes of them; usual: square of
+    the noise of the instrument over that of the run; told: readings that say that the run has the noise of its
+    instrument, infinite where its noise is known.
     """
-    limit = float(-ndtri(0.5 * EXPECTED / max(readings, 1)))
-    found = np.zeros(residual.size, dtype=bool)
-    most = max(MOST * residual.size, NEIGHBOURS)
-    for _ in range(rounds or int(most) + 1):
-        good = np.flatnonzero(~found)
-        if good.size < 3:
-            break
-        between = np.diff(np.cumsum(steps)[good], prepend=0.0)
-        whiten = Whitening(noise, between, scale)
-        z = np.abs(whiten.weighed(residual[good])) / np.sqrt(whiten.weights())
-        z[_shared(residual[good], repeats[good])] = 0.0
-        peaks = (z > max(limit, ALIKE * float(z.max()))) & (z >= _largest_around(z))
-        if not peaks.any():
-            break
-        found[good[peaks]] = True
-    return found & ~long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
+
+    steps: FloatArray
+    left: FloatArray
+    repeats: IntArray
+    good: BoolArray
+    noise: Noise
+    chance: FloatArray
+    taken: FloatArray
+    usual: float
+    told: float
+
+
+def covariance_of(noise: Noise, steps: FloatArray, chance: FloatArray) -> FloatArray:
+    """(n, n), mm^2, of readings as in `Judged`."""
+    at = np.cumsum(steps)
+    found = chance @ chance.T
+    if noise.slow > 0.0:
+        found += noise.slow**2 * np.exp(np.abs(at[:, np.newaxis] - at) / -noise.lasts)
+    found[np.diag_indices_from(found)] += noise.white**2
+    return np.asarray(found)
+
+
+def spoilt(one: Judged, readings: int) -> BoolArray:
+    """(n,): outliers of one run. readings: of the whole data set."""
+    found = np.zeros(one.left.size, dtype=bool)
+    if one.left.size < FEWEST:
+        return found
+    apart, chance = ~_shared(one.left, one.repeats), EXPECTED / max(readings, 1)
+    for here in _windows(one):
+        order, last = [], 0
+        for place, square, noise, freedom in _farthest_first(one, here, apart[here]):
+            order.append(here.start + place)
+            if square > noise * _quantile(0.5 * chance, freedom) ** 2:
+                last = len(order)
+        found[order[:last]] = True
+    found &= apart
+    return found & ~long(found) if found.sum() <= _most(found.size) else np.zeros_like(found)
+
+
+def _most(readings: int) -> float:
+    return max(MOST * readings, NEIGHBOURS)
+
+
+def _quantile(share: float, freedom: float) -> float:
+    return float(ndtri(share) if np.isinf(freedom) else stdtrit(freedom, share))
+
+
+def _windows(one: Judged) -> Iterator[slice]:
+    """Neighbours that are judged together; of a long run those that may hold an outlier."""
+    count = -(-one.left.size // WINDOW)
+    ends = np.linspace(0, one.left.size, count + 1).astype(np.int64).tolist()
+    far = np.ones(one.left.size, dtype=bool)
+    if count > 1:
+        whiten = Whitening(one.noise, one.steps)
+        far = np.abs(whiten.weighed(one.left)) > QUIET * np.sqrt(whiten.weights())
+    for first, last in pairwise(ends):
+        if far[first:last].any():
+            yield slice(first, last)
+
+
+def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tuple[int, float, float, float]]:
+    """The readings of a window, the farthest first, as many as may be outliers and one more: its place; the square of
+    its distance from what those after it let expect, in variances of that by the noise of the run; the variance of the
+    noise of those after it, in that of the run, and its degrees of freedom. apart: (m,), which may be outliers.
+    """
+    covariance = covariance_of(one.noise, one.steps[here], one.chance[here])
+    good, left = one.good[here].copy(), one.left[here]
+    precision = np.zeros_like(covariance)
+    precision[np.ix_(good, good)] = np.linalg.inv(covariance[np.ix_(good, good)])
+    weighed, out = precision @ left, np.flatnonzero(~good)
+    alone = np.where(good, np.diag(precision), 1.0)
+    before = _squares_of_left_out(covariance, precision, left, out)
+    precision -= one.taken[here] @ one.taken[here].T
+
+    def noise(further: FloatArray) -> tuple[float, float]:
+        if np.isinf(one.told):
+            return 1.0, np.inf
+        # what repeats share is no noise
+        squares = float((weighed**2 / alone)[good & apart].sum()) + float(further.sum())
+        free = float((np.diag(precision) / alone)[good & apart].sum())
+        freedom = one.told + max(free, 0.0) + further.size
+        return (one.told * one.usual + squares) / freedom, freedom
+
+    order = np.argsort(-before, kind="stable")
+    for number, k in enumerate(order.tolist(), 1):
+        yield int(out[k]), float(before[k]), *noise(before[order[number:]])
+    for _ in range(int(_most(good.size)) + 1 - out.size):
+        free = np.diag(precision)
+        squares = np.divide(weighed**2, free, out=np.zeros(free.size), where=good & apart & (free > HELD * alone))
+        place = int(np.argmax(squares))
+        if squares[place] == 0.0:
+            return
+        column = precision[:, place] / precision[place, place]
+        weighed = weighed - column * weighed[place]
+        precision = precision - np.outer(column, precision[place])
+        precision[place], precision[:, place], weighed[place], good[place] = 0.0, 0.0, 0.0, False
+        yield place, float(squares[place]), *noise(before[:0])
+
+
+def _squares_of_left_out(covariance: FloatArray, precision: FloatArray, left: FloatArray, out: IntArray) -> FloatArray:
+    """(k,), in variances: of what readings that were left out are away from what the others let expect of them."""
+    by_others = covariance[out] @ precision
+    variance = np.diag(covariance)[out] - np.einsum("ij,ij->i", by_others, covariance[out])
+    return np.asarray((left[out] - by_others @ left) ** 2 / variance)
 
 
 def excess(residual: FloatArray, scale: float) -> float:
@@ -53,11 +154,6 @@ def excess(residual: FloatArray, scale: float) -> float:
     others wait. A noise that is estimated from the residuals is then as large by itself.
     """
     return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))
-
-
-def _largest_around(z: FloatArray) -> FloatArray:
-    padded = np.pad(z, 2, constant_values=-np.inf)
-    return np.asarray(np.max([padded[k : k + z.size] for k in range(5)], axis=0))
 
 
 def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:

@@ -5,17 +5,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_common_few
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
-from trueaxis.estimation.outliers import excess, spoilt
+from trueaxis.estimation.noise_of_residuals import AS_MANY, first_noise, noise_of_draws
+from trueaxis.estimation.outliers import WINDOW, Judged, excess, spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
 
@@ -219,11 +219,40 @@ def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, kn
     return replace(state, noise=noise, scales=scales)
 
 
-def without_outliers(state: State) -> State:
-    """With the readings that count judged anew."""
+def without_outliers(state: State, posterior: Posterior) -> State:
+    """With the readings that count judged anew. posterior: of the state, or nearly."""
     readings = sum(one.reading.size for one in state.runs)
-    good: list[BoolArray] = []
-    for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True):
-        exceeded = scale * excess(rest, scale) if one.instrument in state.stated else scale
-        good.append(~spoilt(state.noise[one.instrument], exceeded, one.rows.steps, rest, one.repeats, readings))
+    good = [~spoilt(_judged(state, posterior, place), readings) for place in range(len(state.runs))]
     return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
+
+
+def _judged(state: State, posterior: Posterior, place: int) -> Judged:
+    """The readings of the run at a place beside what the estimate makes of them."""
+    one, rest, scale = state.runs[place], state.residual[place], float(state.scales[place])
+    noise, known = state.noise[one.instrument], one.instrument in state.stated
+    factor = scale * excess(rest, scale) if known else scale
+    taken = np.zeros((rest.size, 0))
+    if rest.size <= WINDOW:  # of a longer run no reading is known by what the others say of the unknowns
+        whiten = Whitening(noise, one.kept().steps, factor)
+        of_good = _root(state, posterior, place)
+        taken = np.zeros((rest.size, of_good.shape[1]))
+        taken[one.good] = whiten.transposed(whiten.every(of_good))
+    return Judged(
+        steps=one.rows.steps,
+        left=rest,
+        repeats=one.repeats,
+        good=one.good,
+        noise=noise.sized(factor),
+        chance=np.zeros((rest.size, 0)),
+        taken=taken,
+        usual=scale**-2.0,
+        told=np.inf if known else AS_MANY,
+    )
+
+
+def _root(state: State, posterior: Posterior, place: int) -> FloatArray:
+    """(m, k), mm: of the covariance of what the posterior says of the readings that count of a short run."""
+    (part,) = state.derivatives_kept(place)
+    own = posterior.own[place]
+    by_others = triangle_of([np.vstack([part.others @ posterior.spread, own.by_others]).T]).T
+    return np.hstack([np.hstack([part.by_few, part.own]) @ by_others, part.own @ own.alone])
