@@ -3,13 +3,14 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import solve_triangular
 from scipy.special import ndtri
 
 from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.noise_fit import UNEVEN, Found
-from trueaxis.diagnosis.projection import Projection, spanned
+from trueaxis.diagnosis.projection import Projection, orthonormal, spanned
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
@@ -188,7 +189,7 @@ def _left(null: Null, values: FloatArray) -> FloatArray:
 def _spoilt(null: Null, left: FloatArray, stays: BoolArray) -> BoolArray:
     """(n,): outliers. stays: (n,), readings that are none, whatever they are."""
     found = np.zeros(null.rows.size, dtype=bool)
-    basis, _, _ = factored(null.whitening, null.base.columns)
+    basis = spanned(null.base.columns.whitened(null.whitening))
     for place, (run, (few, weights)) in enumerate(zip(null.base.runs, basis.parts(), strict=True)):
         at = run.rows.at
         by_base = few @ triangle_of([weights.T]).T if at.size <= WINDOW else few[:, :0]
@@ -208,22 +209,22 @@ def _judged(
     scale: of its white noise over that of its instrument, None where it is given.
     """
     run, own = whiten.runs[place], whiten.own[place]
-    taken, usual = np.zeros((left.size, 0)), 1.0
-    if left.size <= WINDOW:
-        weighed = np.linalg.solve(covariance_of(run.noise, run.steps, run.chance), own)
-        size, turned = np.linalg.eigh(own.T @ weighed)
-        told = size > RANK * size.max(initial=0.0)
-        taken = np.hstack([weighed @ (turned[:, told] / np.sqrt(size[told])), whiten.back_of_run(place, by_base)])
+    factor = excess(left, run.sigma) if scale is None else 1.0
+    noise, usual = run.noise.sized(factor), 1.0
     if scale is not None:
-        usual = (float(np.hypot(run.noise.white / scale, run.noise.slow)) / run.sigma) ** 2
-    else:
-        run = replace(run, noise=run.noise.sized(excess(left, run.sigma)))
+        usual = (float(np.hypot(noise.white / scale, noise.slow)) / noise.sigma) ** 2
+    taken = np.zeros((left.size, 0))
+    if left.size <= WINDOW:
+        root = np.linalg.cholesky(covariance_of(noise, run.steps, run.chance))
+        by_own = orthonormal(solve_triangular(root, own, lower=True))
+        by_own = solve_triangular(root, by_own, lower=True, trans="T")
+        taken = np.hstack([by_own, whiten.back_of_run(place, by_base) / factor])
     return Judged(
         steps=run.steps,
         left=left,
         repeats=repeats,
         good=np.ones(left.size, dtype=bool),
-        noise=run.noise,
+        noise=noise,
         chance=run.chance,
         taken=taken,
         usual=usual,

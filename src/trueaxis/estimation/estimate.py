@@ -28,6 +28,7 @@ from trueaxis.estimation.state import (
     linearised,
     moved,
     of_runs,
+    same_readings,
     started,
     with_noise,
     without_outliers,
@@ -142,7 +143,7 @@ def _rounds(
     x: sizes at first, if they are known.
     """
     draw = np.random.default_rng(SEED)
-    known = x is not None
+    shaped, sharp = x is not None, False
     x = np.zeros(sizes.spread.size) if x is None else x
     for rounds in range(1, most + 1):
         found = linearised(state)
@@ -151,11 +152,16 @@ def _rounds(
         x, posterior = best_sizes(sizes, found, x)
         posterior, _ = _determined(sizes, posterior)
         before = moved(state, posterior, sizes.own_scales(x))
-        state = without_outliers(with_noise(before, posterior, draw, known or rounds > 1), posterior)
-        change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
-        same = all((one.good == now.good).all() for one, now in zip(before.runs, state.runs, strict=True))
-        if change < SETTLED and same and rounds >= least:
-            break
+        noisy = with_noise(before, posterior, draw, shaped)
+        change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in noisy.noise.items())
+        state = without_outliers(noisy, posterior, sharp)
+        if change < SETTLED and rounds >= least and same_readings(before, state):
+            if sharp:
+                break
+            sharp, state = True, without_outliers(noisy, posterior, sharp=True)
+            if same_readings(before, state):
+                break
+        shaped = same_readings(before, state)  # a spoilt reading had the noise look as it is not
     return x, state, rounds
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.special import ndtri, stdtrit
+from scipy.special import gammaln, ndtr, stdtr
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
@@ -25,6 +25,9 @@ NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
 HALF = 0.6745  # of a normal distribution lies within so many standard deviations
 MOST = 0.1  # of a run, or two readings of a short one: where more are off, the model is
+# share of the runs whose noise says nothing of that of their instrument: something else is in it, as a step, which no
+# reading is spoilt by; readings that say that such a run has the noise of its instrument
+ELSEWISE, HARDLY = 0.05, 1.0
 WINDOW = 128  # readings that are judged together, at the cost of their cube: two outliers raise their noise by little
 QUIET = 3.0  # standard deviations: a window of a long run that has no reading beyond them has no outlier
 HELD = 0.05  # of a reading's variance: where all others leave less of it open, nothing is known of the reading itself
@@ -68,24 +71,38 @@ def spoilt(one: Judged, readings: int) -> BoolArray:
     found = np.zeros(one.left.size, dtype=bool)
     if one.left.size < FEWEST:
         return found
-    apart, chance = ~_shared(one.left, one.repeats), EXPECTED / max(readings, 1)
+    apart = ~_shared(one.left, one.repeats)
     for here in _windows(one):
         order, last = [], 0
-        for place, square, noise, freedom in _farthest_first(one, here, apart[here]):
+        for place, square, squares, freedom in _farthest_first(one, here, apart[here]):
             order.append(here.start + place)
-            if square > noise * _quantile(0.5 * chance, freedom) ** 2:
+            if _by_chance(one, square, squares, freedom) < EXPECTED / readings:
                 last = len(order)
         found[order[:last]] = True
     found &= apart
     return found & ~long(found) if found.sum() <= _most(found.size) else np.zeros_like(found)
 
 
+def _by_chance(one: Judged, square: float, squares: float, freedom: float) -> float:
+    """Probability of a good reading so far away. square: of its distance in variances of the noise of the run; squares:
+    sum of the same of all that are left, of some degrees of freedom.
+
+    The variance of the run about that of its instrument is, beforehand, a mixture of two inverse chi-squares: of as
+    many degrees of freedom as say that the run has the noise of its instrument, or of hardly any.
+    """
+    if np.isinf(one.told):
+        return 2.0 * float(ndtr(-np.sqrt(square)))
+    told = np.array([one.told, HARDLY])
+    whole, sums = told + freedom, told * one.usual + squares
+    likely = np.log([1.0 - ELSEWISE, ELSEWISE]) + gammaln(0.5 * whole) - gammaln(0.5 * told)
+    likely += 0.5 * (told * np.log(told * one.usual) - whole * np.log(sums))
+    weights = np.exp(likely - likely.max())
+    tails = 2.0 * stdtr(whole, -np.sqrt(square * whole / sums))
+    return float(weights @ tails / weights.sum())
+
+
 def _most(readings: int) -> float:
     return max(MOST * readings, NEIGHBOURS)
-
-
-def _quantile(share: float, freedom: float) -> float:
-    return float(ndtri(share) if np.isinf(freedom) else stdtrit(freedom, share))
 
 
 def _windows(one: Judged) -> Iterator[slice]:
@@ -103,8 +120,8 @@ def _windows(one: Judged) -> Iterator[slice]:
 
 def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tuple[int, float, float, float]]:
     """The readings of a window, the farthest first, as many as may be outliers and one more: its place; the square of
-    its distance from what those after it let expect, in variances of that by the noise of the run; the variance of the
-    noise of those after it, in that of the run, and its degrees of freedom. apart: (m,), which may be outliers.
+    its distance from what those after it let expect, in variances of that by the noise of the run; the sum of the same
+    of those after it, and its degrees of freedom. apart: (m,), which may be outliers.
     """
     covariance = covariance_of(one.noise, one.steps[here], one.chance[here])
     good, left = one.good[here].copy(), one.left[here]
@@ -115,18 +132,14 @@ def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tupl
     before = _squares_of_left_out(covariance, precision, left, out)
     precision -= one.taken[here] @ one.taken[here].T
 
-    def noise(further: FloatArray) -> tuple[float, float]:
-        if np.isinf(one.told):
-            return 1.0, np.inf
-        # what repeats share is no noise
-        squares = float((weighed**2 / alone)[good & apart].sum()) + float(further.sum())
-        free = float((np.diag(precision) / alone)[good & apart].sum())
-        freedom = one.told + max(free, 0.0) + further.size
-        return (one.told * one.usual + squares) / freedom, freedom
+    def left_by(further: FloatArray) -> tuple[float, float]:
+        kept = good & apart  # what repeats share is no noise
+        squares, free = (weighed[kept] ** 2 / alone[kept]).sum(), (np.diag(precision)[kept] / alone[kept]).sum()
+        return float(squares + further.sum()), max(float(free), 0.0) + further.size
 
     order = np.argsort(-before, kind="stable")
     for number, k in enumerate(order.tolist(), 1):
-        yield int(out[k]), float(before[k]), *noise(before[order[number:]])
+        yield int(out[k]), float(before[k]), *left_by(before[order[number:]])
     for _ in range(int(_most(good.size)) + 1 - out.size):
         free = np.diag(precision)
         squares = np.divide(weighed**2, free, out=np.zeros(free.size), where=good & apart & (free > HELD * alone))
@@ -137,7 +150,7 @@ def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tupl
         weighed = weighed - column * weighed[place]
         precision = precision - np.outer(column, precision[place])
         precision[place], precision[:, place], weighed[place], good[place] = 0.0, 0.0, 0.0, False
-        yield place, float(squares[place]), *noise(before[:0])
+        yield place, float(squares[place]), *left_by(before[:0])
 
 
 def _squares_of_left_out(covariance: FloatArray, precision: FloatArray, left: FloatArray, out: IntArray) -> FloatArray:

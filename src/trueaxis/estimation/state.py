@@ -219,22 +219,31 @@ def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, kn
     return replace(state, noise=noise, scales=scales)
 
 
-def without_outliers(state: State, posterior: Posterior) -> State:
-    """With the readings that count judged anew. posterior: of the state, or nearly."""
+def same_readings(one: State, other: State) -> bool:
+    """Whether the same readings count."""
+    return all((a.good == b.good).all() for a, b in zip(one.runs, other.runs, strict=True))
+
+
+def without_outliers(state: State, posterior: Posterior, sharp: bool) -> State:
+    """With the readings that count judged anew. posterior: of the state, or nearly.
+
+    sharp: by the noise that a run has without those that are far, else by its noise as it was estimated: as long as
+    effects and noise are not found yet, what they make of single readings is no outlier.
+    """
     readings = sum(one.reading.size for one in state.runs)
-    good = [~spoilt(_judged(state, posterior, place), readings) for place in range(len(state.runs))]
+    good = [~spoilt(_judged(state, posterior, place, sharp), readings) for place in range(len(state.runs))]
     return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
 
 
-def _judged(state: State, posterior: Posterior, place: int) -> Judged:
+def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judged:
     """The readings of the run at a place beside what the estimate makes of them."""
     one, rest, scale = state.runs[place], state.residual[place], float(state.scales[place])
     noise, known = state.noise[one.instrument], one.instrument in state.stated
-    factor = scale * excess(rest, scale) if known else scale
+    more = excess(rest, scale) if known else 1.0
     taken = np.zeros((rest.size, 0))
     if rest.size <= WINDOW:  # of a longer run no reading is known by what the others say of the unknowns
-        whiten = Whitening(noise, one.kept().steps, factor)
-        of_good = _root(state, posterior, place)
+        whiten = Whitening(noise, one.kept().steps, more * scale)
+        of_good = more * _root(state, posterior, place)
         taken = np.zeros((rest.size, of_good.shape[1]))
         taken[one.good] = whiten.transposed(whiten.every(of_good))
     return Judged(
@@ -242,11 +251,11 @@ def _judged(state: State, posterior: Posterior, place: int) -> Judged:
         left=rest,
         repeats=one.repeats,
         good=one.good,
-        noise=noise.sized(factor),
+        noise=noise.sized(more * scale),
         chance=np.zeros((rest.size, 0)),
         taken=taken,
         usual=scale**-2.0,
-        told=np.inf if known else AS_MANY,
+        told=AS_MANY if sharp and not known else np.inf,
     )
 
 
