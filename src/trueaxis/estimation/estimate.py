@@ -30,6 +30,7 @@ from trueaxis.estimation.state import (
     of_runs,
     same_readings,
     started,
+    with_first_noise,
     with_noise,
     without_outliers,
 )
@@ -161,7 +162,9 @@ def _rounds(
             sharp, state = True, without_outliers(noisy, posterior, sharp=True)
             if same_readings(before, state):
                 break
-        shaped = same_readings(before, state)  # a spoilt reading had the noise look as it is not
+        shaped = same_readings(before, state)
+        if not shaped:
+            state = with_first_noise(state)
     return x, state, rounds
 
 

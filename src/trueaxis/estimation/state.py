@@ -1,6 +1,6 @@
 """Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -80,10 +80,7 @@ def started(
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
     unstated = {one.instrument for one in runs if one.rows.index not in stated_noise}
-    found: dict[str, Noise] = {}
-    for name in sorted({one.instrument for one in runs}):
-        mine = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
-        found[name] = first_noise(mine) if name in unstated else Noise(1.0)
+    found = _first_noise(runs, residual, unstated)
     scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
     return State(
         layout=layout.at(unknowns, given),
@@ -97,6 +94,27 @@ def started(
         residual=tuple(residual),
         kept=kept or _kept(layout, runs),
     )
+
+
+def _first_noise(
+    runs: Sequence[MeasuredRun], residual: Sequence[FloatArray], unstated: Collection[str]
+) -> dict[str, Noise]:
+    found: dict[str, Noise] = {}
+    for name in sorted({one.instrument for one in runs}):
+        mine = [rest[one.good] for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
+        found[name] = first_noise(mine) if name in unstated else Noise(1.0)
+    return found
+
+
+def with_first_noise(state: State) -> State:
+    """With noise and scales as at the start, of the readings that count now.
+
+    A spoilt reading has made the noise large and the values uncertain, which looks like slow noise, and that would take
+    hundreds of rounds to go.
+    """
+    stated = np.array([one.instrument in state.stated for one in state.runs])
+    noise = _first_noise(state.runs, state.residual, set(state.noise) - state.stated)
+    return replace(state, noise=noise, scales=np.where(stated, state.scales, 1.0))
 
 
 def _kept(layout: Layout, runs: Sequence[MeasuredRun]) -> tuple[tuple[Derivative, ...], ...]:
@@ -227,12 +245,15 @@ def same_readings(one: State, other: State) -> bool:
 def without_outliers(state: State, posterior: Posterior, sharp: bool) -> State:
     """With the readings that count judged anew. posterior: of the state, or nearly.
 
-    sharp: by the noise that a run has without those that are far, else by its noise as it was estimated: as long as
-    effects and noise are not found yet, what they make of single readings is no outlier.
+    sharp: by the noise that a run has without those that are far, and what was left out stays out; else by its noise as
+    it was estimated: as long as effects and noise are not found yet, what they make of single readings is no outlier.
     """
     readings = sum(one.reading.size for one in state.runs)
-    good = [~spoilt(_judged(state, posterior, place, sharp), readings) for place in range(len(state.runs))]
-    return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
+    runs = []
+    for place, one in enumerate(state.runs):
+        good = ~spoilt(_judged(state, posterior, place, sharp), readings)
+        runs.append(replace(one, good=one.good & good if sharp else good))
+    return replace(state, runs=tuple(runs))
 
 
 def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judged:
