@@ -107,11 +107,7 @@ def _first_noise(
 
 
 def with_first_noise(state: State) -> State:
-    """With noise and scales as at the start, of the readings that count now.
-
-    A spoilt reading has made the noise large and the values uncertain, which looks like slow noise, and that would take
-    hundreds of rounds to go.
-    """
+    """With noise and scales as at the start, by what is left of the readings that count."""
     stated = np.array([one.instrument in state.stated for one in state.runs])
     noise = _first_noise(state.runs, state.residual, set(state.noise) - state.stated)
     return replace(state, noise=noise, scales=np.where(stated, state.scales, 1.0))
