@@ -67,6 +67,19 @@ def test_outliers_are_found_and_no_others(small: World) -> None:
     assert len(found - spoilt) <= 1
 
 
+@pytest.mark.parametrize("off_by", [0.02, 1.0])
+def test_how_far_a_spoilt_reading_is_off_makes_no_difference_to_the_noise(small: World, off_by: float) -> None:
+    data = measure(small.design, draw_machine(small.design.machine, 1), 1)
+    place = int(np.setdiff1d(np.arange(data.reading.size // 3, data.reading.size), small.design.shop.outliers)[5])
+    kept = np.delete(np.arange(data.reading.size), place)
+    without = estimate(small.model, replace(small.plan, reading=data.reading.copy()).of(kept), given(small))
+    data.reading[place] += off_by
+    spoilt = estimate(small.model, replace(small.plan, reading=data.reading.copy()), given(small))
+    assert spoilt.readings.outliers[place]
+    for name, noise in without.noise.of_instrument.items():
+        assert spoilt.noise.of_instrument[name].sigma == pytest.approx(noise.sigma, rel=0.1)
+
+
 def test_the_convention_levels_and_changes_nothing_seen_from_home(small: World) -> None:
     found = estimated(small, 2)
     level = found.levelled()

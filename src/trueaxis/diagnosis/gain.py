@@ -13,7 +13,8 @@ from scipy.linalg import solve_triangular
 
 from trueaxis.diagnosis.base import Base
 from trueaxis.diagnosis.by_run import ByRun
-from trueaxis.diagnosis.null import less_own
+from trueaxis.diagnosis.noise import UNKNOWN
+from trueaxis.diagnosis.null import Null, less_own
 from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, GainOfAngles, IntArray, Stage
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.signature import Fitted
@@ -150,18 +151,20 @@ def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) 
     return Gain(rms=everything.stage(), held_out=held.stage(), split=split, floor=floor, standardised=held.standardised)
 
 
-def gain_by_unit(
-    fits: tuple[Fit, Fit], whitening: Whitening, values: FloatArray, rows: Rows, chosen: tuple[BoolArray, str]
-) -> tuple[Gain, Stage]:
+def gain_by_unit(fits: tuple[Fit, Fit], null: Null, chosen: tuple[BoolArray, str]) -> tuple[Gain, Stage]:
     """Of readings of lengths and, by themselves, of angles; and the RMS of all rows held back.
 
     fits: on all rows, and on those that are not held back; chosen: (n,) which these are, and how they were chosen.
     """
+    whitening, values, rows = null.whitening, null.values, null.rows
+    judged = {one.instrument: one.origin != UNKNOWN for one in null.noise}
+    known = np.array([judged.get(one.instrument, False) for one in rows.runs])[rows.run]
     (held, split), (on_all, on_others) = chosen, fits
     angle = angle_rows(rows.run, rows.runs)
 
     def parts(some: BoolArray) -> tuple[Prediction, Prediction, float]:
-        floor = float(np.sqrt(np.mean(whitening.sigma[some] ** 2))) if some.any() else np.nan
+        told = some & known
+        floor = float(np.sqrt(np.mean(whitening.sigma[told] ** 2))) if told.any() else np.nan
         ends = ((on_all, some), (on_others, held & some))
         all_of, held_of = (predicted(fitted, whitening, values, these) for fitted, these in ends)
         return all_of, held_of, floor

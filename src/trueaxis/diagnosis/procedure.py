@@ -102,7 +102,7 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
     white, values, causes = null.whitening, null.values, judged.causes
     on_all, on_others = (fit(null.base, white, values, causes, rows) for rows in (every, ~held))
     of_all = predicted(on_all, white, values, every)
-    gain, of_held = gain_by_unit((on_all, on_others), white, values, null.rows, (held, split))
+    gain, of_held = gain_by_unit((on_all, on_others), null, (held, split))
     return Outcome(
         ground=ground,
         null=null,

@@ -115,3 +115,14 @@ def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
     assert "held-out RMS (3 passes): none, the zeros of their instruments absorb all of these readings\n" in text
     assert "nan" not in text
     assert "scatter" not in text
+
+
+def test_readings_whose_noise_is_unknown_are_not_said_to_agree() -> None:
+    found = builders.diagnosis("no_discrepancy")
+    laser, ballbar = found.noise
+    half = summary_text(replace(found, noise=(laser, replace(ballbar, white=0.02, origin="unknown"))))
+    assert "readings of laser agree" in half
+    assert "ballbar cannot be judged" in half
+    none = summary_text(replace(found, noise=tuple(replace(one, origin="unknown") for one in found.noise)))
+    assert "agree" not in none
+    assert "cannot be judged" in none

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from trueaxis.diagnosis.noise import UNKNOWN
 from trueaxis.diagnosis.of_plan import Limit
 from trueaxis.diagnosis.result import Cause, Circle, Diagnosis, Estimate, Evidence, GainOfAngles, NoiseOf, Stage, Stale
 from trueaxis.diagnosis.structure import Check
@@ -72,7 +73,11 @@ def noise(diagnosis: Diagnosis) -> float:
     it is unknown.
     """
     residuals = diagnosis.residuals
-    sigma = {one.instrument: one.sigma for one in diagnosis.noise if small_unit(one.instrument) == "um"}
+    sigma = {
+        one.instrument: one.sigma
+        for one in diagnosis.noise
+        if small_unit(one.instrument) == "um" and one.origin != UNKNOWN
+    }
     instruments, counts = np.unique(
         np.array([residuals.instruments[k] for k in residuals.run], dtype=str), return_counts=True
     )

@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
+from trueaxis.diagnosis.noise import UNKNOWN
 from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.result import Cause, Diagnosis, Estimate, Evidence, Gain, Stale, Verdict
 from trueaxis.diagnosis.structure import Check, StructureClass
@@ -115,7 +116,12 @@ def headline(diagnosis: Diagnosis) -> str:
     causes = [f"{effect_title(one.effect)}, {size_of(one)}".removesuffix(", ") for one in diagnosis.causes]
     match diagnosis.verdict:
         case "no_discrepancy":
-            return "The readings agree with the model: the residuals are noise."
+            blind, seeing = not_judged(diagnosis), [one.instrument for one in diagnosis.noise]
+            if not blind:
+                return "The readings agree with the model: the residuals are noise."
+            told = enumerated([name for name in seeing if name not in blind])
+            agree = f"The readings of {told} agree with the model" if told else "Nothing can be said of the model"
+            return f"{agree}; those of {enumerated(blind)} cannot be judged: they are too few to know their noise."
         case "recalibrate":
             return "The form of the model suffices, but its values are stale: recalibrate."
         case "explained":
@@ -129,7 +135,18 @@ def headline(diagnosis: Diagnosis) -> str:
 
 def explanation(diagnosis: Diagnosis) -> str:
     """What the verdict means, and what to do."""
-    return f"{_MEANING[diagnosis.verdict]} {_detail(diagnosis)}".rstrip()
+    meaning = _MEANING[diagnosis.verdict]
+    if diagnosis.verdict == "no_discrepancy" and not_judged(diagnosis):
+        meaning = (
+            "What only readings of unknown noise show would not have been found. Repeat their runs, or state the noise "
+            "of a reading."
+        )
+    return f"{meaning} {_detail(diagnosis)}".rstrip()
+
+
+def not_judged(diagnosis: Diagnosis) -> list[str]:
+    """Instruments whose readings are too few to know their noise: what they read is no evidence of anything."""
+    return [one.instrument for one in diagnosis.noise if one.origin == UNKNOWN]
 
 
 _MEANING: dict[Verdict, str] = {
