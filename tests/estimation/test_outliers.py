@@ -9,7 +9,7 @@ from trueaxis.estimation import outliers
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import AS_MANY
-from trueaxis.estimation.outliers import EXPECTED, WINDOW, Judged, covariance_of, spoilt
+from trueaxis.estimation.outliers import EXPECTED, WINDOW, Judged, covariance_of, shared_by_repeats, spoilt
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 
@@ -42,7 +42,7 @@ def judged(
     return Judged(
         steps=steps,
         left=left,
-        repeats=np.arange(left.size) if repeats is None else repeats,
+        shared=np.zeros(left.size, dtype=bool) if repeats is None else shared_by_repeats(left, repeats),
         good=np.ones(left.size, dtype=bool) if good is None else good,
         noise=noise,
         chance=chance,

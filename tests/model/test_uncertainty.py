@@ -228,7 +228,7 @@ def test_a_file_comes_back_as_it_was(model: MachineModel, tmp_path: Path) -> Non
     np.testing.assert_array_equal(again.open, unknown.open)
 
 
-def test_the_larger_of_both_uncertainties_counts_coordinate_by_coordinate(model: MachineModel, tmp_path: Path) -> None:
+def test_the_second_uncertainty_stands_beside_the_first(model: MachineModel, tmp_path: Path) -> None:
     """The second covariance, by usual sizes, doubles one component and halves the others; its file keeps it."""
     covariance = mixed_covariance(model)
     assert isinstance(covariance.root, np.ndarray)
@@ -244,14 +244,14 @@ def test_the_larger_of_both_uncertainties_counts_coordinate_by_coordinate(model:
     )
     assert (other.u > one.u).any()
     assert (other.u < one.u).any()
-    np.testing.assert_allclose(found.u, np.maximum(one.u, other.u), rtol=1e-12)
-    assert found.u_estimated is not None
-    np.testing.assert_allclose(found.u_estimated, one.u, rtol=1e-12)
-    assert one.u_estimated is None
+    np.testing.assert_allclose(found.u, one.u, rtol=1e-12)
+    assert found.u_usual is not None
+    np.testing.assert_allclose(found.u_usual, other.u, rtol=1e-12)
+    assert one.u_usual is None
     part = both.of(both.components[:1], (), ())
     assert part.usual is not None
-    assert curve_u(part, part.components[0], np.array([100.0])) == pytest.approx(
-        2.0 * curve_u(covariance, part.components[0], np.array([100.0]))
+    assert curve_u(part.usual, part.components[0], np.array([100.0])) == pytest.approx(
+        2.0 * curve_u(part, part.components[0], np.array([100.0]))
     )
 
 

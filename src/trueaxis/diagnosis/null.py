@@ -15,7 +15,17 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, 
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.estimation.factors import triangle_of
-from trueaxis.estimation.outliers import EXPECTED, NEIGHBOURS, WINDOW, Judged, covariance_of, excess, long, spoilt
+from trueaxis.estimation.outliers import (
+    EXPECTED,
+    NEIGHBOURS,
+    WINDOW,
+    Judged,
+    covariance_of,
+    excess,
+    long,
+    shared_by_repeats,
+    spoilt,
+)
 from trueaxis.model.model import MachineModel
 
 ALIKE = 0.5  # of the largest one: it bends the base, and with it readings of other runs, which wait
@@ -189,20 +199,20 @@ def _left(null: Null, values: FloatArray) -> FloatArray:
 def _spoilt(null: Null, left: FloatArray, stays: BoolArray) -> BoolArray:
     """(n,): outliers. stays: (n,), readings that are none, whatever they are."""
     found = np.zeros(null.rows.size, dtype=bool)
+    shared = shared_by_repeats(left, _apart(null.rows.target))
     basis = spanned(null.base.columns.whitened(null.whitening))
     for place, (run, (few, weights)) in enumerate(zip(null.base.runs, basis.parts(), strict=True)):
         at = run.rows.at
         by_base = few @ triangle_of([weights.T]).T if at.size <= WINDOW else few[:, :0]
-        repeats = _apart(null.rows.target[at])
         scale = None if null.found is None else float(null.found.scales[place])
-        found[at] = spoilt(_judged(null.whitening, place, left[at], repeats, by_base, scale), null.rows.size)
+        found[at] = spoilt(_judged(null.whitening, place, left[at], shared[at], by_base, scale), null.rows.size)
     found &= ~stays
     size = np.abs(left) / null.whitening.sigma
     return np.asarray(found & (size >= ALIKE * float(size[found].max(initial=0.0))))
 
 
 def _judged(
-    whiten: Whitening, place: int, left: FloatArray, repeats: IntArray, by_base: FloatArray, scale: float | None
+    whiten: Whitening, place: int, left: FloatArray, shared: BoolArray, by_base: FloatArray, scale: float | None
 ) -> Judged:
     """The readings of a run beside what the base, (n, r) whitened, and its own unknowns make of them.
 
@@ -222,7 +232,7 @@ def _judged(
     return Judged(
         steps=run.steps,
         left=left,
-        repeats=repeats,
+        shared=shared,
         good=np.ones(left.size, dtype=bool),
         noise=noise,
         chance=run.chance,

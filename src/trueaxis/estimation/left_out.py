@@ -31,6 +31,7 @@ from trueaxis.estimation.tails import log_f_tail
 from trueaxis.measurement.machine import FloatArray
 
 MOST = 0.25  # share of the runs that may contradict the others: beyond it the model does
+AS_FAR = 0.95  # of the distance of several runs: one run is set up wrongly more often than all of its set-up are
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
 NOTHING = 1e-6  # of the noise: a variance that is rounding, where the others let expect nothing of a direction
@@ -138,12 +139,15 @@ def _suspects(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> 
     """Groups of which at most one would be as far from all others by chance, the farthest first.
 
     Of runs that agree with one another, all are farther from the others than each alone: in place of a group stands
-    what in it is farthest by its readings.
+    what in it is farthest by its readings, a single run where that is nearly as far.
     """
     every = beside_all(fitted, posterior, [one for one in groups if _others_tell(fitted.state.runs, one)])
     suspects = {group: far for group, far in every.items() if far.log_p < -np.log(len(groups))}
     farthest = [
-        max((one for one in suspects if set(one) <= set(group)), key=lambda one: suspects[one].times)
+        max(
+            (one for one in suspects if set(one) <= set(group)),
+            key=lambda one: suspects[one].times * (1.0 if len(one) == 1 else AS_FAR),
+        )
         for group in sorted(suspects, key=lambda one: suspects[one].log_p)
     ]
     return list(dict.fromkeys(farthest))

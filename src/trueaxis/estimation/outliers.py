@@ -38,16 +38,16 @@ class Judged:
     """Readings of one run, in their order, and their noise as it was estimated.
 
     steps: (n,), time since the reading before in typical steps; left: (n,), mm, what the estimate leaves of them;
-    repeats: (n,), the same number where the same place was read; good: (n,), those that the estimate is of; noise: of
-    the run; chance: (n, j), mm, how the run varies besides, one standard deviation each; taken: (n, k), the inverse of
-    the covariance of the good ones times a root of the covariance of what the estimate makes of them; usual: square of
-    the noise of the instrument over that of the run; told: readings that say that the run has the noise of its
-    instrument, infinite where its noise is known.
+    shared: (n,), whether repeats deviate alike, see `shared_by_repeats`; good: (n,), those that the estimate is of;
+    noise: of the run; chance: (n, j), mm, how the run varies besides, one standard deviation each; taken: (n, k), the
+    inverse of the covariance of the good ones times a root of the covariance of what the estimate makes of them; usual:
+    square of the noise of the instrument over that of the run; told: readings that say that the run has the noise of
+    its instrument, infinite where its noise is known.
     """
 
     steps: FloatArray
     left: FloatArray
-    repeats: IntArray
+    shared: BoolArray
     good: BoolArray
     noise: Noise
     chance: FloatArray
@@ -71,7 +71,7 @@ def spoilt(one: Judged, readings: int) -> BoolArray:
     found = np.zeros(one.left.size, dtype=bool)
     if one.left.size < FEWEST:
         return found
-    apart = ~_shared(one.left, one.repeats)
+    apart = ~one.shared
     for here in _windows(one):
         order, last = [], 0
         for place, square, squares, freedom in _farthest_first(one, here, apart[here]):
@@ -169,8 +169,10 @@ def excess(residual: FloatArray, scale: float) -> float:
     return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))
 
 
-def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:
-    """(n,): whether the repeats of a reading deviate like it."""
+def shared_by_repeats(residual: FloatArray, repeats: IntArray) -> BoolArray:
+    """(n,): whether the repeats of a reading deviate like it, which is structure. repeats: (n,), the same number where
+    the same place was read.
+    """
     found = np.zeros(residual.size, dtype=bool)
     order = np.argsort(repeats, kind="stable")
     first = np.flatnonzero(np.diff(repeats[order], prepend=-1))

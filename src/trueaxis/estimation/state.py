@@ -11,7 +11,7 @@ from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import AS_MANY, first_noise, noise_of_draws
-from trueaxis.estimation.outliers import WINDOW, Judged, excess, spoilt
+from trueaxis.estimation.outliers import WINDOW, Judged, excess, shared_by_repeats, spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import residuals_of
@@ -266,7 +266,7 @@ def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judg
     return Judged(
         steps=one.rows.steps,
         left=rest,
-        repeats=one.repeats,
+        shared=shared_by_repeats(rest, one.repeats),
         good=one.good,
         noise=noise.sized(more * scale),
         chance=np.zeros((rest.size, 0)),

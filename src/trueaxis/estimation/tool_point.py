@@ -43,7 +43,7 @@ class ToolSummary:
     POINTS positions. largest_u: the largest u of a coordinate over the travel, at `largest_at` (axis -> mm or deg), as
     `uncertainty_extent` has it for commands that use the values. estimated: whether sizes of errors were estimated, by
     which prior_rms is, or are those of [prior]. u_usual_rms: u_rms by the usual sizes of instrument unknowns, where the
-    covariance holds these as well; largest_u then counts by the larger one, largest_u_estimated does not.
+    covariance holds these as well; largest_u_usual: largest_u by these.
     """
 
     tools: tuple[Vector, ...]
@@ -56,7 +56,7 @@ class ToolSummary:
     largest_at: dict[str, float]
     estimated: bool
     u_usual_rms: float | None = None
-    largest_u_estimated: float | None = None
+    largest_u_usual: float | None = None
 
 
 def volume(model: MachineModel) -> FloatArray:
@@ -137,7 +137,7 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
         largest_at=dict(zip(model.axes, np.round(largest.largest_at, 1).tolist(), strict=True)),
         estimated=found.iteration.rounds > 0,
         u_usual_rms=None if usual is None else _rms(tool_point(usual, volume(found.layout.model), tools).u),
-        largest_u_estimated=max(one.largest_u_estimated or 0.0 for one in extents) if usual is not None else None,
+        largest_u_usual=max(one.largest_u_usual or 0.0 for one in extents) if usual is not None else None,
     )
 
 

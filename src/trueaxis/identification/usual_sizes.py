@@ -1,7 +1,6 @@
 """What u is by the usual sizes of instrument unknowns, where the readings make these sizes far smaller.
 
-How well a centre, a line or a zero is known then rests on few values. Both uncertainties go with the values; what is
-written for a machine rests on the larger one.
+How well a centre, a line or a zero is known then rests on few values. Both uncertainties go with the values.
 """
 
 from dataclasses import dataclass, replace
@@ -56,7 +55,7 @@ class ByUsualSizes:
             f"is what stands in brackets: tool point over the volume {small(self.tool_u, 'mm')} "
             f"({small(self.tool_u_usual, 'mm')})"
             + "".join(f", {one}" for one in named[:MOST_NAMED])
-            + f"{rest}. The values carry both: predict, fit, compensate, export and report count by the larger one"
+            + f"{rest}. The values carry both, and predict, fit, compensate, export and report say both"
         )
 
 

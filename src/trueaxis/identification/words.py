@@ -124,14 +124,14 @@ def tool_sentence(tool: ToolSummary) -> str:
     at = " ".join(f"{axis}{position:g}" for axis, position in tool.largest_at.items())
     points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
     sizes = "errors of the sizes that are estimated" if tool.estimated else "[prior]"
-    usual = less = ""
-    if tool.u_usual_rms is not None and tool.largest_u_estimated is not None:
+    usual = most = ""
+    if tool.u_usual_rms is not None and tool.largest_u_usual is not None:
         usual = f"; u by the usual sizes of instrument unknowns {small(tool.u_usual_rms, 'mm')}"
-        less = f", by these sizes; {small(tool.largest_u_estimated, 'mm')} by those that the readings make likely"
+        most = f"; by the usual sizes {small(tool.largest_u_usual, 'mm')}"
     return (
         f"u of {points}, seen from home: {small(tool.u_rms, 'mm')} RMS over the volume, of which "
         f"{small(tool.u_prior_rms, 'mm')} rest on the prior ({small(tool.prior_rms, 'mm')} without readings, by "
-        f"{sizes}{usual}); at most {small(tool.largest_u, 'mm')} in one coordinate, over the travel (at {at}{less}). "
+        f"{sizes}{usual}); at most {small(tool.largest_u, 'mm')} in one coordinate, over the travel (at {at}{most}). "
         f"On a workpiece placed where it fits best: {small(tool.u_placed_rms, 'mm')} RMS "
         f"({small(tool.prior_placed_rms, 'mm')} without readings)"
     )

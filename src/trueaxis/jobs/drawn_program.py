@@ -120,7 +120,7 @@ def drawn_places(
     steps = settings.resolution * linear_jacobian(model, commanded, tool)
     left = offset - offset_of_home
     points = DrawnPoints(
-        positions=commanded, tool=tool, context=context, covariance=covariance.cautious, home=home, placements=None,
+        positions=commanded, tool=tool, context=context, covariance=covariance, home=home, placements=None,
         offset=left, steps=steps, draws=draws,
     )  # fmt: skip
     u = tool_uncertainty(model, covariance, commanded, tool, datum=home, context=context).u

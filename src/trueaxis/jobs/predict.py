@@ -185,7 +185,7 @@ def with_draws(
     """The prediction with the distribution of its deviations; model: with error values; show: told how far it is."""
     count = done.positions.shape[1]
     points = DrawnPoints(
-        positions=done.positions, tool=done.tool, context=context.filled(), covariance=covariance.cautious,
+        positions=done.positions, tool=done.tool, context=context.filled(), covariance=covariance,
         home=home_of(model) if datum == "home" else None,
         placements=placements(model.ideal(done.positions, done.tool)) if datum == "best-fit" else None,
         offset=np.zeros((3, count)), steps=np.zeros((3, 0, count)), draws=draws,
@@ -208,9 +208,9 @@ def _notes(
     found = [] if placement is None else [placement_sentence(placement)]
     found += [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
     found += range_sentences(beyond_measured(model.errors, model.axes, positions), count)
-    estimated, known = uncertainty.u_estimated, ~np.isnan(uncertainty.u)
-    if estimated is not None and known.any():
-        by_both = (float(np.sqrt(np.mean(u[known] ** 2))) for u in (uncertainty.u, estimated))
+    usual, known = uncertainty.u_usual, ~np.isnan(uncertainty.u)
+    if usual is not None and known.any():
+        by_both = (float(np.sqrt(np.mean(u[known] ** 2))) for u in (uncertainty.u, usual))
         found.append(usual_sentence(*by_both))
     if rests.any():
         names = open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool[:, rests][:, :1])

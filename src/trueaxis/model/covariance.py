@@ -52,11 +52,6 @@ class Covariance:
     of_prior: int | None = None
     usual: "Covariance | None" = None
 
-    @property
-    def cautious(self) -> "Covariance":
-        """The covariance on which it rests what may be done to a machine: by the usual sizes where there is one."""
-        return self if self.usual is None else self.usual
-
     def _usual(self, change: "Callable[[Covariance], Covariance]") -> "Covariance | None":
         return None if self.usual is None else change(self.usual)
 
@@ -118,7 +113,7 @@ class Covariance:
             effects=self.effects + other.effects,
             effect_parameters=self.effect_parameters + other.effect_parameters,
             of_prior=of_prior,
-            usual=None if self.usual is other.usual is None else self.cautious.joined(other.cautious),
+            usual=None if self.usual is other.usual is None else (self.usual or self).joined(other.usual or other),
         )
 
     def of(self, components: Collection[str], locations: Collection[str], effects: Collection[str]) -> "Covariance":

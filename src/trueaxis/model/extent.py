@@ -31,9 +31,9 @@ class UncertaintyExtent:
     u_readings_rms, correction_rms: root mean squares of the length of the uncertainty that the readings bring in (all
     of it where the prior's part is not known) and of the deviation from home, which a compensation takes away, over
     the positions where the first is known, mm; both 0 where it is nowhere.
-    largest_u_estimated: the largest u by sizes of instrument unknowns that readings make likely, mm, where `largest_u`
-    counts by the usual ones, see `ToolUncertainty`; None where there is one u alone. undetermined: whether `open`
-    counts what the values themselves name as not determined, and not only values that somebody gave without a u.
+    largest_u_usual: the largest u by the usual sizes of instrument unknowns, mm, see `ToolUncertainty`; None where
+    there is one u alone. undetermined: whether `open` counts what the values themselves name as not determined, and
+    not only values that somebody gave without a u.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -49,7 +49,7 @@ class UncertaintyExtent:
     correction_rms: float = 0.0
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
-    largest_u_estimated: float | None = None
+    largest_u_usual: float | None = None
     undetermined: bool = False
     datum: str = "home"
 
@@ -105,9 +105,9 @@ def uncertainty_extent(
         correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
         undetermined=bool(rests.any() and model.errors.undetermined),
-        largest_u_estimated=None
-        if uncertainty.u_estimated is None
-        else float(np.nan_to_num(uncertainty.u_estimated).max(initial=0.0)),
+        largest_u_usual=None
+        if uncertainty.u_usual is None
+        else float(np.nan_to_num(uncertainty.u_usual).max(initial=0.0)),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
         datum=name,
     )

@@ -37,14 +37,14 @@ class ToolUncertainty:
     it that rests on the prior, NaN also where the parts are not known; the other part is that of the readings, and the
     squares of both add up to that of u. open: (3, n), by how much
     combinations that nothing determines move the point at the size that the prior allows, 0 where they do not.
-    u_estimated: (3, n), where a covariance by usual sizes of instrument unknowns stands beside the values: u by the
-    sizes that readings make likely. `u` is then the larger one of both, coordinate by coordinate. None: there is one.
+    u_usual: (3, n), u by the usual sizes of instrument unknowns, where a covariance by these stands beside that by the
+    sizes that readings make likely, by which `u` is; else None.
     """
 
     u: FloatArray
     u_prior: FloatArray
     open: FloatArray
-    u_estimated: FloatArray | None = None
+    u_usual: FloatArray | None = None
 
 
 def covariance_file(path: Path, errors: ErrorValues) -> Path | None:
@@ -127,13 +127,7 @@ def tool_uncertainty(
             u[place, :, rows], u_prior[place, :, rows] = _u_and_prior(_rows(by_value), one)
     opened[opened <= OPEN_MOVES] = 0.0
     u[:, opened > 0.0] = u_prior[:, opened > 0.0] = np.nan
-    counts = u[-1] > u[0]  # of both: what is written for a machine rests on the larger one
-    return ToolUncertainty(
-        u=np.where(counts, u[-1], u[0]),
-        u_prior=np.where(counts, u_prior[-1], u_prior[0]),
-        open=opened,
-        u_estimated=None if covariance.usual is None else u[0],
-    )
+    return ToolUncertainty(u=u[0], u_prior=u_prior[0], open=opened, u_usual=None if covariance.usual is None else u[-1])
 
 
 def _u_and_prior(by_value: FloatArray, covariance: Covariance) -> tuple[FloatArray, FloatArray]:
@@ -165,27 +159,12 @@ def _as_many(position: FloatArray, tool: FloatArray) -> FloatArray:
 
 
 def curve_u(covariance: Covariance, component: str, positions: FloatArray) -> FloatArray:
-    """(n,): standard uncertainty of a curve at positions (n,), mm or deg, the larger one where a covariance by usual
-    sizes stands beside the values. Raises ValueError where none is known.
-    """
+    """(n,): standard uncertainty of a curve at positions (n,), mm or deg. Raises ValueError where none is known."""
     if covariance.root is None:
         raise ValueError("the noise of the readings is unknown")
     by_value = covariance.bases[covariance.components.index(component)](positions).T
-    rows = covariance.rows_of(component)
-    roots = [one.root for one in (covariance, covariance.cautious) if one.root is not None]
-    return np.asarray(np.max([np.sqrt(((by_value @ root[rows]) ** 2).sum(axis=1)) for root in roots], axis=0))
-
-
-def location_u(covariance: Covariance, errors: ErrorValues, name: str) -> float:
-    """Standard uncertainty of a location error, mm or rad, the larger one where a covariance by usual sizes stands
-    beside the values; NaN where it is not known.
-    """
-    u = errors.u.get(name, np.nan)
-    usual = covariance.usual
-    if usual is None or usual.root is None or name not in usual.locations:
-        return u
-    row = sum(basis.count for basis in usual.bases) + usual.locations.index(name)
-    return float(max(u, np.sqrt((usual.root[[row]] ** 2).sum())))
+    root = covariance.root[covariance.rows_of(component)]
+    return np.asarray(np.sqrt(((by_value @ root) ** 2).sum(axis=1)))
 
 
 def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:

@@ -69,11 +69,11 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     )
 
 
-def usual_sentence(u: float, estimated: float) -> str:
-    """Where u counts by the usual sizes of instrument unknowns; u, estimated: RMS by both, mm."""
+def usual_sentence(u: float, usual: float) -> str:
+    """Where u rests on sizes of instrument unknowns far below the usual ones; u, usual: RMS by both, mm."""
     return (
-        f"u counts by the usual sizes of instrument unknowns ({_um(u)} RMS in one coordinate): by those that the "
-        f"readings make likely, from few values, it is {_um(estimated)}"
+        f"u ({_um(u)} RMS in one coordinate) rests on instrument unknowns far smaller than usual; by the usual sizes "
+        f"it is {_um(usual)}: see the note of identify"
     )
 
 
@@ -112,11 +112,11 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
         of = " of the positions where it is known" if extent.unknown else ""
         prior = extent.largest_u_prior
         part = "" if not prior else f" (largest part from [prior] of the spec: {_um(prior)})"
-        usual, less = "", extent.largest_u_estimated
-        if less is not None:
+        usual = ""
+        if extent.largest_u_usual is not None:
             usual = (
-                "; it counts by the usual sizes of instrument unknowns: by those that the readings make likely, from "
-                f"few values, it is {_um(less)}"
+                f"; it rests on instrument unknowns far smaller than usual, by the usual sizes it is "
+                f"{_um(extent.largest_u_usual)}: see the note of identify"
             )
         found.append(
             f"largest standard uncertainty of the tool point {where}{of}, from {extent.datum}, in one coordinate: "

@@ -49,19 +49,19 @@ def _of_readings(origin: Origin) -> list[tuple[str, str]]:
 
 
 def _usual(content: Content, origin: Origin) -> list[tuple[str, str]]:
-    """Why u counts by the usual sizes of instrument unknowns; nothing where it does not."""
+    """What u is by the usual sizes of instrument unknowns; nothing where that is not known."""
     if not origin.usual_sizes:
         return []
     sizes = [
         f"{one.unknown} {small(one.size, one.unit)} from {one.values} values (usual {small(one.usual, one.unit)})"
         for one in origin.usual_sizes
     ]
-    less = content.volume.u_estimated_rms
-    by_these = f": {quantity(less, 'mm')} RMS of the tool point by these" if math.isfinite(less) else ""
+    u = content.volume.u_usual_rms
+    by_these = f": {quantity(u, 'mm')} RMS of the tool point" if math.isfinite(u) else ""
     return [
         (
             "instruments",
-            f"the readings make these unknowns far smaller than usual: {'; '.join(sizes)}. u on this page is the "
-            f"larger one of that by the usual sizes and that by these{by_these}",
+            f"the readings make these unknowns far smaller than usual: {'; '.join(sizes)}. u on this page "
+            f"counts by these sizes; by the usual ones it is larger{by_these}",
         )
     ]

@@ -12,7 +12,7 @@ from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Determined, Fit
 from trueaxis.model.model import MachineModel
 from trueaxis.model.origin import Origin
-from trueaxis.model.uncertainty import ToolUncertainty, curve_u, home_of, location_u, tool_uncertainty
+from trueaxis.model.uncertainty import ToolUncertainty, curve_u, home_of, tool_uncertainty
 from trueaxis.model.volume import corners, middle_planes, volume_points
 
 FloatArray = NDArray[np.float64]
@@ -55,8 +55,8 @@ class ErrorLine:
 class OverVolume:
     """Length of the deviation of the tool point from home, mm: root mean square, 95 % of the points, the largest and
     where; u_rms: root mean square of its standard uncertainty, NaN where it is not known anywhere; u_prior_rms: of the
-    part that rests on the prior, u_estimated_rms: where u counts by the usual sizes of instrument unknowns, by those
-    that the readings make likely; both NaN where there is none. u_largest: the largest u of one coordinate.
+    part that rests on the prior, u_usual_rms: by the usual sizes of instrument unknowns; both NaN where
+    there is none. u_largest: the largest u of one coordinate.
     """
 
     rms: float
@@ -65,7 +65,7 @@ class OverVolume:
     largest_at: dict[str, float]
     u_rms: float
     u_prior_rms: float
-    u_estimated_rms: float
+    u_usual_rms: float
     u_largest: float
 
 
@@ -171,12 +171,12 @@ def _curve(name: ErrorName, of: Known, at: FloatArray) -> tuple[FloatArray, Floa
 
 def _location(name: str, now: Known, before: Known | None) -> ErrorLine:
     errors = now.model.errors
-    value, u = errors.parameters.get(name, 0.0), location_u(now.covariance, errors, name)
+    value, u = errors.parameters.get(name, 0.0), errors.u.get(name, np.nan)
     change = None
     if before is not None:
         old = before.model.errors
         difference = value - old.parameters.get(name, 0.0)
-        ratio = _ratio(np.array([difference]), np.array([np.hypot(u, location_u(before.covariance, old, name))]))
+        ratio = _ratio(np.array([difference]), np.array([np.hypot(u, old.u.get(name, np.nan))]))
         change = Change(rms=difference, in_u=float(ratio[0]), at=None)
     return ErrorLine(
         name=name, value=value, u=u, rms=abs(value), at=None, unit=now.model.machine.parameter_unit(name),
@@ -203,8 +203,8 @@ def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, flo
     worst = int(np.argmax(length))
     u = np.sqrt(np.sum([one.u**2 for one in known], axis=0))
     by_prior = np.sqrt(np.sum([one.u_prior**2 for one in known], axis=0))
-    less = [one.u if one.u_estimated is None else one.u_estimated for one in known]
-    by_both = any(one.u_estimated is not None for one in known)
+    usual = [one.u if one.u_usual is None else one.u_usual for one in known]
+    by_both = any(one.u_usual is not None for one in known)
     return OverVolume(
         rms=_rms(length[:POINTS]),
         within=float(np.quantile(length[:POINTS], 0.95)),
@@ -212,7 +212,7 @@ def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, flo
         largest_at=dict(zip(model.axes, positions[:, worst].tolist(), strict=True)),
         u_rms=_length_rms(u),
         u_prior_rms=_length_rms(by_prior),
-        u_estimated_rms=_length_rms(np.sqrt(np.sum(np.square(less), axis=0))) if by_both else float("nan"),
+        u_usual_rms=_length_rms(np.sqrt(np.sum(np.square(usual), axis=0))) if by_both else float("nan"),
         u_largest=float(np.nanmax(u)) if np.isfinite(u).any() else float("nan"),
     )
 
