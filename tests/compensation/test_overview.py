@@ -1,6 +1,5 @@
 """What is said before many faults; small things of reports and options."""
 
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -8,7 +7,6 @@ import pytest
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
 from tests.compensation.five_axes import TEXTS, FiveAxes
-from tests.compensation.test_command import command
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
@@ -73,15 +71,6 @@ def test_how_far_pecks_go_back(bench: Bench) -> None:
     assert "G0 Z0.254\n" in bench.run(program).decode()
     with pytest.raises(ValueError, match="peck_return is 0; it must be above 0"):
         Settings(peck_return=0.0)
-
-
-def test_a_folder_that_is_not_there_is_a_typo(tmp_path: Path) -> None:
-    (tmp_path / "in.nc").write_text("G21 G90\nG0 X1. Y1. Z1.\n")
-    with pytest.raises(InputError, match=r"--out: the folder .*nodir is not there; make it first"):
-        command(tmp_path, None, "--out", str(tmp_path / "nodir" / "out.nc"))
-    with pytest.raises(InputError, match=r"--report: the folder .*nodir is not there"):
-        command(tmp_path, None, "--report", str(tmp_path / "nodir" / "report.json"))
-    assert not (tmp_path / "nodir").exists()
 
 
 def test_an_offset_is_told_once_with_and_without_point_control(bench: Bench) -> None:

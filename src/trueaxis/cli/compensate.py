@@ -22,7 +22,7 @@ from trueaxis.jobs.compensate import as_faults, notes_of, notes_of_draws, of_mac
 from trueaxis.jobs.drawn_program import Remembering, drawn_program
 from trueaxis.jobs.draws import faults_of_draws
 from trueaxis.jobs.given import check_fit
-from trueaxis.jobs.outputs import named, overwritten, without_folder
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.measurement.table import table_bytes
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
@@ -258,7 +258,7 @@ def run(args: argparse.Namespace) -> int:
         option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
     }
     outputs = {"--out": args.out, "--report": args.report, "--draws-out": args.draws_out}
-    found = overwritten(inputs, outputs, args.kernels) + without_folder(outputs)
+    found = overwritten(inputs, outputs, args.kernels)
     draws = draws_of(args, found)
     with gathering(found):
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)

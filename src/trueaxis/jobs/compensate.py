@@ -33,7 +33,7 @@ from trueaxis.jobs.drawn_program import DrawnProgram, Remembering, drawn_program
 from trueaxis.jobs.draws import checked, faults_of_draws
 from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
-from trueaxis.jobs.outputs import overwritten, without_folder
+from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_zero, tool_points
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
@@ -184,7 +184,7 @@ def _read(
     files = {"offsets": offsets, "tools": tools}
     inputs = {"the spec": model.machine.source, **files_of(errors), "program": program}
     inputs |= {name: Path(one) for name, one in files.items() if isinstance(one, str | PathLike)}
-    found += overwritten(inputs, {"out": out}, kernels_of(model)) + without_folder({"out": out})
+    found += overwritten(inputs, {"out": out}, kernels_of(model))
     if found:
         raise InputError(found)
     return model, systems, table

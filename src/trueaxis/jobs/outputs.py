@@ -40,15 +40,6 @@ def overwritten(
     return found
 
 
-def without_folder(outputs: Mapping[str, Path | None]) -> list[Fault]:
-    """Faults of files to be written into a folder that is not there, which is a typo more often than not; by option."""
-    return [
-        Fault(str(path), "", f"{option}: the folder {path.parent} is not there", "make it first, or another path")
-        for option, path in outputs.items()
-        if path is not None and not path.parent.is_dir()
-    ]
-
-
 def named(path: Path) -> str:
     """The path as a line of a report names it."""
     return shown(str(path))
