@@ -21,6 +21,7 @@ RULE = (
     "without them (of ...); by the prior alone: u exceeds nine tenths of that; of curves the root mean squares count"
 )
 IN_COMBINATION = "known only in combination (before the convention separates straightness and squareness)"
+NOTHING = 1e-6  # of the other part of u: rounding
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
 
@@ -96,7 +97,8 @@ def small(value: float, unit: str) -> str:
 
 def parts_of_u(u_readings: float, u_prior: float, prior: float, unit: str) -> str:
     """The three figures that say by what a value is determined: `readings 10.3, prior 10.7, of 100 urad`."""
-    readings, by_prior = (small(one, unit).split()[0] for one in (u_readings, u_prior))
+    least = NOTHING * max(u_readings, u_prior)
+    readings, by_prior = (small(one if one > least else 0.0, unit).split()[0] for one in (u_readings, u_prior))
     return f"readings {readings}, prior {by_prior}, of {small(prior, unit)}"
 
 
