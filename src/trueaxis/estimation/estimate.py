@@ -44,7 +44,7 @@ SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then s
 CONTINUED_ROUNDS = 2  # at least, of an estimate that goes on without some runs: noise and sizes are nearly there
 # fits to the same readings, after which the noise goes on from what it was: before, it starts from how residuals differ
 # from their neighbours. A first fit leaves values uncertain, which looks like slow noise, and would take hundreds of
-# rounds to go: 9041 of tests/worlds had a slow noise of 0.53 um where there is none
+# rounds to go: world 9041 of tests/worlds had a slow noise of 0.53 um where there is none
 STEADY = 2
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
