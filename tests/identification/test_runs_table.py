@@ -29,7 +29,7 @@ def residuals(reading: np.ndarray, *, known: bool) -> Residuals:
     noise = np.full(reading.size, 1e-3)
     run = np.repeat(np.arange(len(reading)), EACH)
     return Residuals(
-        run=run, count=np.ones(run.size), squares=reading.ravel() ** 2, noise=noise if known else None, size=None,
+        run=run, count=np.ones(run.size), squares=reading.ravel() ** 2, noise=noise if known else np.nan * noise, size=None,
         freedom=run.size, copied=(), estimated=noise,
     )  # fmt: skip
 

@@ -113,8 +113,8 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
         default=NoiseModel(),
         metavar="S",
         help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (by instrument or "
-        "run), or repeats, repeats-by-run: from repeated readings of each instrument, of each run (default: from "
-        "[device] tables, else from the residuals)",
+        "run), laser=repeats,ballbar=0.5, or repeats, repeats-by-run: from repeated readings of each instrument, of "
+        "each run (default: from [device] tables, else from the residuals)",
     )
     add_noise_urad(parser)
     parser.add_argument(
@@ -235,20 +235,27 @@ def _method_option(text: str) -> str:
 
 
 def noise_option(text: str) -> NoiseModel:
-    """`0.3`, `laser=0.3,ballbar=0.5`, `repeats` or `repeats-by-run`."""
+    """`0.3`, `laser=0.3,ballbar=0.5`, `laser=repeats,ballbar=0.5`, `repeats` or `repeats-by-run`."""
     if text in _REPEATS:
         return NoiseModel(repeats=_REPEATS[text])
     if "=" not in text:
         return NoiseModel(um=noise(text))
+    parts = [part.strip() for part in text.split(",")]
+    if any(part.isdigit() for part in parts):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=S,NAME=S: decimals have a point, as in laser=0.3")
     found: dict[str, float] = {}
-    for part in text.split(","):
-        name, equals, value = part.rpartition("=")
-        if not (equals and name.strip()):
+    repeated = set()
+    for part in parts:
+        name, equals, value = (piece.strip() for piece in part.rpartition("="))
+        if not (equals and name):
             raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
-        if name.strip() in found:
-            raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
-        found[name.strip()] = noise(value)
-    return NoiseModel(by_group=found)
+        if name in found or name in repeated:
+            raise argparse.ArgumentTypeError(f"{name} is given more than once")
+        if value == "repeats":
+            repeated.add(name)
+        else:
+            found[name] = noise(value)
+    return NoiseModel(by_group=found, repeated=frozenset(repeated))
 
 
 def add_noise_urad(parser: argparse.ArgumentParser) -> None:

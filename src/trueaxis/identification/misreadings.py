@@ -76,7 +76,7 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     reason = "; ".join(filter(None, reasons))
     if not reason:
         return judged
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason, misread=tuple(sure))
+    return replace(judged, fit=replace(judged.fit, state="misfit", runs=named), reason=reason, misread=tuple(sure))
 
 
 def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tuple[str, ...]:

@@ -33,7 +33,7 @@ DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from followin
 Method = Literal["global", "stepwise"]
 Squareness = Literal["convention", "known", "from-angles"]
 Curves = Literal["table", "polynomial", "held-out"]
-Noise = NoiseModel | Mapping[str, float] | float | None
+Noise = NoiseModel | Mapping[str, float | Literal["repeats"]] | float | None
 
 
 class UnbelievableError(ValueError):
@@ -74,7 +74,7 @@ def identify(
     """Identify the error motions and location errors of a machine from readings, on the exact model.
 
     known: known values, which are not identified, dimensions included. noise_um: standard deviation of a reading, um,
-    or by name of an instrument or a run; noise_urad: of angle instruments; None: from the readings. squareness: source
+    or by name of an instrument or a run (or "repeats": from its repeated readings); noise_urad: of angle instruments; None: from the readings. squareness: source
     of the squareness: level straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the
     errors have the sizes of [prior]; if not, errors that readings do not determine are zero and named.
     ideal_instruments: the instruments have no unknowns. degree: highest order of the curves (14; 7 without prior).
@@ -159,7 +159,7 @@ def faults_of_choice(choice: MethodChoice, spelled: Spelled = argument) -> list[
         found.append(Fault(place, "", "needs the squareness", f"give a file with {spelled('known')}"))
     if choice.method == "stepwise":
         for name, used, remedy in (
-            ("noise_um", choice.noise.by_group or choice.noise.repeats, "one value"),
+            ("noise_um", choice.noise.names or choice.noise.repeats, "one value"),
             ("noise_urad", choice.noise.urad is not None, f"{way} global"),
             ("degree", choice.degree is not None, f"{way} global"),
             ("ideal_instruments", choice.ideal_instruments, f"{way} global"),
@@ -188,11 +188,15 @@ def noise_model(noise_um: Noise, noise_urad: float | None = None) -> NoiseModel:
     if noise_um is None or isinstance(noise_um, NoiseModel):
         given = noise_um or NoiseModel()
         return given if noise_urad is None else replace(given, urad=noise_urad)
-    by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
+    said = dict(noise_um) if isinstance(noise_um, Mapping) else {}
+    by_group = {name: value for name, value in said.items() if not isinstance(value, str)}
+    repeated = frozenset(said.keys() - by_group.keys())
+    if wrong := [value for name, value in said.items() if name in repeated and value != "repeats"]:
+        raise ValueError(f'noise_um: expected a number or "repeats"; given {wrong[0]!r}')
     whole = None if isinstance(noise_um, Mapping) else float(noise_um)
     for value in (*by_group.values(), whole):
         check_noise(value)
-    return NoiseModel(um=whole, by_group=by_group, urad=noise_urad)
+    return NoiseModel(um=whole, by_group=by_group, urad=noise_urad, repeated=repeated)
 
 
 def check_noise(um: float | None) -> None:

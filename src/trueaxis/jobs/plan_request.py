@@ -63,9 +63,9 @@ def faults_of_request(
 ) -> list[Fault]:
     """What does not go together; nothing is read for it. writes: a first plan is of use in a folder alone."""
     found = []
-    if request.noise.repeats:
+    if request.noise.repeats or request.noise.repeated:
         problem = "a plan has no readings"
-        found.append(Fault(spelled("noise_um"), request.noise.repeats, problem, "a number of micrometres"))
+        found.append(Fault(spelled("noise_um"), request.noise.repeats or "repeats", problem, "a number of micrometres"))
     found += _of_first_plan(request, spelled, writes) if folder is None else _of_plan(request, spelled)
     return found + ([] if request.out is None else _of_out(request.out, folder, spelled))
 
