@@ -11,7 +11,6 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
-from trueaxis.model.errors import Fit
 
 READS: Mapping[How, str] = {
     "reversed": "as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)",

@@ -126,8 +126,8 @@ def fit_text(judged: FitQuality) -> str:
     if judged.fit.unjudged:
         names = enumerated(judged.fit.unjudged)
         chi2 += (
-            f"; the residuals of {names} could not be judged: no noise is stated for it (--noise-um), and too little is "
-            "repeated"
+            f"; the residuals of {names} could not be judged: no noise is stated for it (--noise-um), and too little "
+            "is repeated"
         )
     ratio = math.sqrt(judged.fit.chi2)
     if ratio <= LACKING:

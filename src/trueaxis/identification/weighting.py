@@ -16,7 +16,7 @@ Repeats = Literal["", "instrument", "run"]
 LEAST_FREEDOM = 5  # of a noise from repeats: with fewer it is uncertain by a third and more
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseModel:
     """What is known of the noise beforehand.
 

@@ -74,12 +74,12 @@ def identify(
     """Identify the error motions and location errors of a machine from readings, on the exact model.
 
     known: known values, which are not identified, dimensions included. noise_um: standard deviation of a reading, um,
-    or by name of an instrument or a run (or "repeats": from its repeated readings); noise_urad: of angle instruments; None: from the readings. squareness: source
-    of the squareness: level straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the
-    errors have the sizes of [prior]; if not, errors that readings do not determine are zero and named.
-    ideal_instruments: the instruments have no unknowns. degree: highest order of the curves (14; 7 without prior).
-    method "stepwise" is the paper's, point by point, with curves as a "table", a "polynomial" by its procedure, or one
-    whose order is chosen by "held-out" positions.
+    or by name of an instrument or a run (or "repeats": from its repeated readings); noise_urad: of angle instruments;
+    None: from the readings. squareness: source of the squareness: level straightness lines (ISO 230-1), `known`, or
+    Sect. 3.6 of the paper. prior: whether the errors have the sizes of [prior]; if not, errors that readings do not
+    determine are zero and named. ideal_instruments: the instruments have no unknowns. degree: highest order of the
+    curves (14; 7 without prior). method "stepwise" is the paper's, point by point, with curves as a "table", a
+    "polynomial" by its procedure, or one whose order is chosen by "held-out" positions.
 
     Raises InputError if arguments do not go together, the set-up contradicts the machine, or no reading depends on an
     error; NotConvergedError if the fit does not converge; UnbelievableError if no machine has such values;
