@@ -15,6 +15,7 @@ from trueaxis.identification.weighting import NoiseModel, Repeats
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.given import faults_of_runs
 from trueaxis.jobs.identify import (
     DEGREE_WITHOUT_PRIOR,
     HIGHEST_DEGREE,
@@ -63,6 +64,9 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
+    parser.add_argument(
+        "--runs", nargs="+", default=[], metavar="ID", help="use the readings of these runs only (default: all)"
     )
     parser.add_argument(
         "--known",
@@ -149,6 +153,7 @@ def run(args: argparse.Namespace) -> int:
         model = load_model(args.machine, args.kernels)
     with gathering(found):
         data = load_data(args.data, machine)
+        found += faults_of_runs(args.runs, data.data, option)
         found += overwritten(
             {"the active compensation of --data": active_file(args.data, data.data.setup)}, _outputs(args)
         )
@@ -183,13 +188,17 @@ def run(args: argparse.Namespace) -> int:
     if judged.fit.state == "misfit":
         print(f"trueaxis: MISFIT, {judged.reason}; {MISFIT_USE}", file=sys.stderr)
         return 1
-    return 1 if identified.report.nothing_determined else 0
+    if identified.report.nothing_determined:
+        print("trueaxis: the readings determine no error: the values are zero, or those of --known", file=sys.stderr)
+        return 1
+    return 0
 
 
 def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, known: Errors | None) -> Identified:
     return identify(
         model,
         data,
+        runs=args.runs,
         known=known,
         noise_um=args.noise_um,
         noise_urad=args.noise_urad,
