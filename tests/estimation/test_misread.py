@@ -67,6 +67,16 @@ def test_two_swapped_runs_are_named_together(readings: Observations, pair: tuple
     assert f"runs {pair[0]} and {pair[1]} read as if each had the other's readings" in quality.reason
 
 
+def test_two_runs_under_each_others_name_are_named_together(readings: Observations) -> None:
+    """Their positions go along: readings alone in each other's place would be of other targets."""
+    ids = [run.id for run in readings.runs]
+    wrong = readings.exchanged(ids.index("X-1"), ids.index("Y-5"))
+    found = identify_estimated(model_with(), wrong, IdentifyOptions(known=KNOWN))
+    quality = found.report.quality
+    assert set(quality.fit.runs) == {"X-1", "Y-5"}
+    assert "runs X-1 and Y-5 read as if each had the other's readings" in quality.reason
+
+
 def test_a_swap_is_as_much_likelier_as_the_evidence_says(
     readings: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -12,17 +12,15 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.evidence import evidence_at
-from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.estimation.state import DISPLAY, State, linearised
+from trueaxis.estimation.state import DISPLAY, State
 from trueaxis.estimation.swapped import likelier, swap_ratios
-from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 
 How = Literal["reversed", "small", "large", "mirrored", "swapped"]
@@ -239,18 +237,13 @@ def _with_undone(runs: Sequence[MeasuredRun], fault: _Fault) -> list[MeasuredRun
 
 
 def _gain(one: Fitted, other: Fitted, fault: _Fault) -> float:
-    """Logarithm of how much likelier readings are by the other estimate: those that count in both."""
-    good = [a.good & b.good for a, b in zip(one.state.runs, other.state.runs, strict=True)]
-    before, after = (_counting(each.state, good) for each in (one, other))
-    value = evidence_at(other.sizes, linearised(after), other.x) - evidence_at(one.sizes, linearised(before), one.x)
+    """Logarithm of how much likelier readings are by the other estimate."""
+    value = evidence_ratio(one, other)
     if fault.how != "swapped":
+        before, after = counting_in_both(one.state, other.state)
         (place,) = fault.places
         value += _of_factor(replace(before, noise=after.noise, scales=after.scales), place, fault.how)
     return value - fault.price
-
-
-def _counting(state: State, good: Sequence[BoolArray]) -> State:
-    return replace(state, runs=tuple(replace(run, good=of) for run, of in zip(state.runs, good, strict=True)))
 
 
 def mean_square(state: State) -> float:

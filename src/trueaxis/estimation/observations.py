@@ -1,7 +1,7 @@
 """The readings that identification works on, and which of them repeat a place: the pure error of an instrument."""
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import polars as pl
@@ -48,6 +48,10 @@ class Observations:
             directions=None if self.directions is None else self.directions[:, keep],
             context=None if self.context is None else self.context.of(keep),
         )
+
+    def exchanged(self, one: int, other: int) -> "Observations":
+        """As if the readings of one run, with their positions, were those of the other, and the other way round."""
+        return replace(self, run=np.select([self.run == one, self.run == other], [other, one], self.run))
 
 
 def observations(source: str, runs: Sequence[Run], readings: Readings, only: Collection[str] = ()) -> Observations:

@@ -1,12 +1,13 @@
-"""Pairs of runs whose readings are likelier each in the other's place."""
+"""Pairs of runs whose readings are likelier each in the other's place, or by the other's set-up."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
 
 from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.left_out import beside_others, widest
 from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
@@ -14,6 +15,7 @@ from trueaxis.measurement.machine import FloatArray
 
 # Runs of as many readings of an instrument that are compared, those that fit worst: time grows with their square
 MOST_ALIKE = 60
+MOST_WRONG = 3  # runs that are wrong, of which it is asked whose they are, each at the cost of two estimates
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,3 +111,26 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
     a, b = one.rows.run, other.rows.run
     set_ups = [(run.direction, run.target, run.reference, run.frame, dict(run.home), run.length) for run in (a, b)]
     return set_ups[0] != set_ups[1] or not np.array_equal(one.rows.positions, other.rows.positions)
+
+
+def likely_pairs(fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted]) -> list[Swap]:
+    """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, by an estimate
+    without it; places are indices.
+    """
+    found: dict[tuple[int, int], Swap] = {}
+    runs = fitted.state.runs
+    for one in (run for run in runs if run.rows.index in wrong[:MOST_WRONG]):
+        others = [run for run in runs if run is not one]
+        partners = [run for run in others if run.instrument == one.instrument and run.rows.run != one.rows.run]
+        if not partners:
+            continue
+        without, expected = widest(refit(others))
+        scale = fitted.scales[one.rows.index]
+        far = {}
+        for other in partners:
+            index = other.rows.index
+            there = replace(one, rows=replace(one.rows, run=other.rows.run, index=index))
+            far[index] = beside_others(without, expected, [there], {index: scale}).log_p
+        first, second = sorted((one.rows.index, max(far, key=lambda index: far[index])))
+        found[first, second] = Swap((first, second), len(partners))
+    return list(found.values())
