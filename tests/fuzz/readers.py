@@ -28,7 +28,9 @@ from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, sam
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
+from trueaxis.evaluation.iso230_6.diagonal_test import diagonal_test
+from trueaxis.evaluation.iso230_6.figures import diagonal_figures
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
@@ -108,6 +110,11 @@ def _expression(path: Path, machine: Machine) -> object:
 
 def _positioning_test(path: Path, _: Machine) -> object:
     return evaluate(read_positioning_test(path), "iso")
+
+
+def _diagonals(path: Path, _: Machine) -> object:
+    runs = [(str(path), name, test) for name, test in read_runs(path, fewest_cycles=1).items()]
+    return diagonal_figures(diagonal_test(runs, {"X": 60.0, "Y": 80.0}, str(path)))
 
 
 def _machine(path: Path, _: Machine) -> object:
@@ -202,6 +209,7 @@ READERS = (
     Reader("fleet", "fleet.toml", _fleet),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
+    Reader("diagonals", "diagonals.csv", _diagonals, (*_EVALUATE, "IN/diagonals.csv", "--diagonals", "X=60", "Y=80")),
     Reader("rtl", "laser.rtl", _instrument),
     Reader("rta", "laser.rta", _instrument),
     Reader("laser-csv", "laser.csv", _instrument, (*_IMPORT, "--map", "target.point=0,0,0", "direction=0,0,1")),

@@ -52,12 +52,14 @@ def diagonal_test(
     """The test that runs are. runs: file, name of the run and readings of each; its name ends with that of its
     diagonal.
 
-    Raises InputError with every fault: names of no diagonal, one line twice, targets of another length.
+    Raises InputError with every fault: no runs, names of no diagonal, one line twice, targets of another length.
     """
     faults, axes = Faults(source), len(lengths)
     found: dict[str, PositioningTest] = {}
     lines: dict[str, str] = {}
     length = math.hypot(*lengths.values())
+    if not runs:
+        faults.add("", "has no readings", "those of a diagonal or several")
     for file, run, test in runs:
         name = diagonal_of(run, axes)
         if name is None:
