@@ -96,7 +96,7 @@ def test_what_is_wrong_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "--plane: " in refused(*data[1:], *LENGTHS, "--plane", "XY")
     (tmp_path / "bad.csv").write_text("target,cycle,direction,measured,run\n0,1,1,0,ppp\n0,1,up,0,npp\n")
     told = refused(str(tmp_path / "bad.csv"), *LENGTHS)
-    assert "bad.csv (run npp): line 3, column direction" in told
-    assert "bad.csv (run ppp): column target: has 1 target" in told
+    assert "bad.csv: run npp, line 3, column direction" in told
+    assert "bad.csv: run ppp, column target: has 1 target" in told
     (tmp_path / "none.csv").write_text("target,cycle,direction,measured,run\n")
     assert "none.csv: has no readings" in refused(str(tmp_path / "none.csv"), *LENGTHS)

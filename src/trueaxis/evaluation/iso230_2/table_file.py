@@ -56,7 +56,7 @@ def read_positioning_table(path: Path, unit: Unit = "mm", fewest_cycles: int = F
 
     Raises InputError with every fault, each with its line and column.
     """
-    return _test(str(path), *_named(_table(path)), unit, fewest_cycles)
+    return _test(path, *_named(_table(path)), unit, fewest_cycles)
 
 
 def read_runs(path: Path, fewest_cycles: int = FEWEST_CYCLES) -> dict[str, PositioningTest]:
@@ -76,15 +76,18 @@ def read_runs(path: Path, fewest_cycles: int = FEWEST_CYCLES) -> dict[str, Posit
     for name in names.unique(maintain_order=True):
         rows = (names == name).to_numpy()
         part = Table(table.frame.filter(rows).drop(RUN), lines[rows])
-        with gathering(faults.found):
-            found[name] = _test(f"{path} (run {name})", part, units, "mm", fewest_cycles)
+        own: list[Fault] = []
+        with gathering(own):
+            found[name] = _test(path, part, units, "mm", fewest_cycles)
+        for fault in own:
+            faults.add(", ".join(filter(None, (f"run {name}", fault.place))), fault.problem, fault.remedy)
     faults.raise_if_any()
     return found
 
 
-def _test(source: str, table: Table, units: Mapping[str, str], unit: Unit, fewest_cycles: int) -> PositioningTest:
-    """The test of a table whose columns have small letters, with their units beside. source: as faults name it."""
-    faults = Faults(source)
+def _test(path: Path, table: Table, units: Mapping[str, str], unit: Unit, fewest_cycles: int) -> PositioningTest:
+    """The test of a table whose columns have small letters, with their units beside."""
+    faults = Faults(str(path))
     _check_names(table, faults)
     faults.raise_if_any()
     factors = {name: _factor(name, units.get(name, ""), unit, faults) for name in ("target", _reading(table))}
