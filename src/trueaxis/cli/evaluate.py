@@ -20,9 +20,9 @@ Evaluate a standard test; the file decides which. A positioning test of a linear
 by ISO 230-2:2014 (k = 2): for each target mean deviations, reversal value, standard uncertainty and repeatability; for
 the axis B, R, E, M and A, by direction and for both, and the figures of VDI/DGQ 3441. Beyond 2000 mm or 360 deg one
 approach of each target may do, which gives no R and A. DATA is a table (.csv, .parquet) with columns target, cycle,
-direction (of the approach: +1 or forward, -1 or backward) and measured, in mm; or a .dat file with TGT_DATA[i],
-REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that cause the
-deviations, by size: squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch,
+direction (of the approach: +1 or forward, -1 or backward) and measured, in mm; a .rtl file; or a .dat file with
+TGT_DATA[i], REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that cause
+the deviations, by size: squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch,
 straightness, cyclic error. DATA are tables of a ball bar (columns angle, and deviation or radius), a file or a column
 run for each sense of rotation. A diagonal test (ISO 230-6), with --diagonals: figures of ISO 230-2 along each diagonal,
 the largest, scales and squareness. DATA are files of positioning tests, targets along the diagonal, whose names end in
@@ -34,7 +34,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser = subparsers.add_parser(
         "evaluate", help="positioning, circular and diagonal tests by ISO 230-2, -4 and -6", description=DESCRIPTION
     )
-    parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="the readings: .dat, .csv or .parquet")
+    parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="the readings: .rtl, .dat, .csv or .parquet")
     parser.add_argument("--out", type=file_to_write, metavar="REPORT.json", help="write the values as JSON")
     parser.add_argument(
         "--picture",

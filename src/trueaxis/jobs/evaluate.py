@@ -12,13 +12,13 @@ import numpy as np
 from trueaxis.evaluation.iso230_2.evaluation import Repeatability
 from trueaxis.evaluation.iso230_2.evaluation import evaluate as evaluate_positioning
 from trueaxis.evaluation.iso230_2.positioning_test import FEWEST_CYCLES, LARGEST_DEVIATION, PositioningTest, too_few
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
 from trueaxis.evaluation.iso230_4.circular_test import circular_test
 from trueaxis.evaluation.iso230_4.contributions import contributions
 from trueaxis.evaluation.iso230_4.figures import circular_figures
 from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, diagonal_test
 from trueaxis.evaluation.iso230_6.figures import diagonal_figures
 from trueaxis.instrument_files.csv_file import read_csv
+from trueaxis.instrument_files.positioning import positioning_test, positioning_tests
 from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, InputError
@@ -107,7 +107,7 @@ def evaluated(
         runs: list[tuple[str, str, PositioningTest]] = []
         for path in paths:
             with gathering(faults):
-                runs += [(str(path), name, one) for name, one in read_runs(path, fewest_cycles=1).items()]
+                runs += [(str(path), name, one) for name, one in positioning_tests(path, fewest_cycles=1).items()]
         if faults:
             raise InputError(faults)
         return _diagonals(runs, " ".join(map(str, paths)), options, spelled)
@@ -132,7 +132,7 @@ def _positioning(
     if unfit:
         problem = f"{source} is a positioning test"
         raise InputError([Fault(spelled(name), "", problem, "leave it out: it is of circular tests") for name in unfit])
-    test = read_positioning_test(data, "deg" if options.rotary else "mm") if isinstance(data, Path) else data
+    test = positioning_test(data, "deg" if options.rotary else "mm") if isinstance(data, Path) else data
     test = test.swapped() if options.swap_directions else test
     return EvaluatedPositioning(source=source, evaluation=evaluate_positioning(test, options.repeatability))
 

@@ -47,7 +47,13 @@ def read_positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FE
         return read_dat(path, unit, fewest_cycles)
     if path.suffix in TABLES:
         return read_positioning_table(path, unit, fewest_cycles)
-    raise InputError([Fault(str(path), "", "is of no known kind", "a name that ends in .dat, .csv, .txt or .parquet")])
+    raise InputError(
+        [
+            Fault(
+                str(path), "", "is of no known kind", "a .rtl file, or a name that ends in .dat, .csv, .txt or .parquet"
+            )
+        ]
+    )
 
 
 def read_positioning_table(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
