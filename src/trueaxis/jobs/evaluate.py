@@ -88,6 +88,8 @@ def evaluate(
     if isinstance(data, Mapping):
         if options.diagonals is None:
             raise ValueError("data: several tests are diagonals: give how far each axis goes, diagonals")
+        if any(one.unit != "mm" for one in data.values()):
+            raise ValueError("data: expected tests in mm; diagonals are lengths")
         runs = [("data", name, _checked(one, fewest_cycles=1)) for name, one in data.items()]
         return _diagonals(runs, "the readings", options, argument)
     if isinstance(data, PositioningTest):

@@ -1,6 +1,7 @@
 """trueaxis evaluate --diagonals: what it prints, writes and refuses; the same from arrays."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -67,6 +68,8 @@ def test_a_column_run_and_arrays_give_the_same(tmp_path: Path, capsys: pytest.Ca
         ta.evaluate(tests, diagonals={"X": 500.0})
     with pytest.raises(ValueError, match="several tests are diagonals"):
         ta.evaluate(tests)
+    with pytest.raises(ValueError, match="expected tests in mm"):
+        ta.evaluate({"ppp": replace(tests["ppp"], unit="deg")}, diagonals=lengths)
 
 
 def test_one_cycle_gives_no_repeatability(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

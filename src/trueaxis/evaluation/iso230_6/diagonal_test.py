@@ -16,7 +16,7 @@ from trueaxis.io.faults import Faults
 
 # by the number of axes: each line in one of its two directions
 DIAGONALS = {2: ("pp", "np"), 3: ("ppp", "npp", "pnp", "ppn")}
-# Share by which targets may span another length than the diagonal: squareness is off by no more than twice this share.
+# Share by which targets may span another length than the diagonal: they are rounded, a length typed wrong differs more.
 SAME_LENGTH = 1e-3
 
 
