@@ -63,6 +63,8 @@ def test_a_column_run_and_arrays_give_the_same(tmp_path: Path, capsys: pytest.Ca
     assert isinstance(done, ta.EvaluatedDiagonals)
     assert done.to_json() == (tmp_path / "files.json").read_text() == (tmp_path / "run.json").read_text()
     assert str(done).split("\n", 1)[1] in told
+    turned = ta.evaluate(tests, diagonals=dict(reversed(lengths.items())))
+    assert turned.to_json() == done.to_json(), "letters are those of X, Y, Z, however the lengths are given"
     assert done.to_polars()["E"].max() == done.figures.E_d
     with pytest.raises(ValueError, match=r"diagonals: expected lengths of two axes or three of X, Y, Z; given {'X'"):
         ta.evaluate(tests, diagonals={"X": 500.0})

@@ -12,13 +12,14 @@ from trueaxis.evaluation.iso230_6.figures import STANDARD, DiagonalFigures, Geom
 
 _FIGURES = ("E", "B", "R", "A", "M")
 LEGEND = """\
-Names: a letter for each axis, p where it goes in its positive direction as the targets grow, n in its negative one.
-E systematic deviation, B reversal value, R repeatability, A accuracy, M range of the mean bidirectional deviation, all
-by ISO 230-2 along the diagonal; Ed, Bd: the largest E and B. Scale: slope of the mean bidirectional deviation. Scale
-errors of the axes act on all diagonals alike; different scales come from squareness and, not told from it here, from
-straightness and angular errors. Equal diagonals do not prove a good machine: scale errors of the axes that cancel each
-other show on none of them. Squareness: angle between the positive axes less 90 deg, if the axes are straight and do not
-rotate as they move. u: standard uncertainty by the scatter of the cycles; it holds no drift between the diagonals.
+Names: a letter each for X, Y and Z (those that there are), p where the axis goes in its positive direction as the
+targets grow, n in its negative one. E systematic deviation, B reversal value, R repeatability, A accuracy, M range of
+the mean bidirectional deviation, all by ISO 230-2 along the diagonal; Ed, Bd: the largest E and B. Scale: slope of the
+mean bidirectional deviation. Scale errors of the axes act on all diagonals alike; different scales come from squareness
+and, not told from it here, from straightness and angular errors. Equal diagonals do not prove a good machine: scale
+errors of the axes that cancel each other show on none of them. Squareness: angle between the positive axes less 90 deg,
+if the axes are straight and do not rotate as they move. u: standard uncertainty by the scatter of the cycles; it holds
+no drift between the diagonals.
 """
 
 
