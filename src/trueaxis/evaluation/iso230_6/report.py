@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR
 from trueaxis.evaluation.iso230_2.evaluation import STANDARD as DEFINITIONS
-from trueaxis.evaluation.iso230_2.report import CONVENTIONS
+from trueaxis.evaluation.iso230_2.report import CONVENTIONS, cell
 from trueaxis.evaluation.iso230_6.diagonal_test import DiagonalTest
 from trueaxis.evaluation.iso230_6.figures import STANDARD, DiagonalFigures, Geometric, OfDiagonal
 
@@ -36,7 +36,7 @@ def report_text(source: str, test: DiagonalTest, figures: DiagonalFigures) -> st
     ]
     for one in figures.diagonals:
         e = one.evaluation
-        cells = "".join(_cell(1e3 * getattr(e, name), 10, 2) for name in _FIGURES)
+        cells = "".join(cell(1e3 * getattr(e, name), 10) for name in _FIGURES)
         lines.append(f"{one.name:<10}{len(e.targets):>8}{e.cycles:>8}{cells}{_scales(one.scale, one.u_scale)}")
     at_e = max(figures.diagonals, key=lambda one: one.evaluation.E).name
     at_b = max(figures.diagonals, key=lambda one: one.evaluation.B).name
@@ -104,12 +104,8 @@ def _of_diagonal(one: OfDiagonal) -> dict[str, object]:
 
 def _geometric(name: str, one: Geometric, unit: str) -> str:
     u = "" if one.u is None else f"  u {1e6 * one.u:.2f}"
-    return f"{name:<36}{1e6 * one.value:>10.2f} {unit:<5}{u}".rstrip()
+    return f"{name:<36}{1e6 * one.value:>z10.2f} {unit:<5}{u}".rstrip()
 
 
 def _scales(scale: float, u: float | None) -> str:
-    return f"{1e6 * scale:>14.2f}" + (f"{'-':>8}" if u is None else f"{1e6 * u:>8.2f}")
-
-
-def _cell(value: float, width: int, digits: int) -> str:
-    return f"{'-':>{width}}" if math.isnan(value) else f"{value:{width}.{digits}f}"
+    return f"{1e6 * scale:>z14.2f}" + (f"{'-':>8}" if u is None else f"{1e6 * u:>8.2f}")
