@@ -150,7 +150,7 @@ def _instrument(path: Path, machine: Machine) -> object:
     given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
     given |= {"axis": machine.axes[0], "target.point": "0,0,0", "reference.point": "0,0,0", "direction": "1,0,0"}
     unit = "urad" if path.suffix == ".rta" else "um"
-    keys = UserKeys(given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
+    keys = UserKeys(given=given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
     sources = read_instrument_file(path, None, keys)
     runs = [data_run(source, machine, keys, lambda _, point: point) for source in sources]
     if faults := [*keys.faults, *(question.fault for question in keys.questions)]:

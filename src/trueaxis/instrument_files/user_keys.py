@@ -42,7 +42,7 @@ class Question:
         return Fault(self.file, f"run {self.run}", problem, f"--map {self.key}={self.right}")
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class UserKeys:
     """Keys for all runs and, as `RUN:KEY`, for one run, or for the runs of a file by its name without suffix.
 

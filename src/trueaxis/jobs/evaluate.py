@@ -196,7 +196,7 @@ def _circular(paths: Sequence[Path], options: EvaluateOptions, spelled: Spelled)
         if used:
             problem = f"{source} is a circular test"
             found.append(Fault(spelled(name), "", problem, "leave it out: it is of positioning tests"))
-    keys = UserKeys(options.keys)
+    keys = UserKeys(given=options.keys)
     runs: list[InstrumentRun] = []
     for path in paths:
         with gathering(found):

@@ -127,7 +127,7 @@ def imported(
     """As `import_readings`. found: faults so far, told with those of the files; ask: gives what a run lacks, from a
     person; given takes it in. An answer that is wrong is asked for again, with its faults.
     """
-    unknown = UserKeys(given).unknown()
+    unknown = UserKeys(given=given).unknown()
     asked: Question | None = None
     while True:
         runs, keys = _runs(files, machine, view, given, format, found)
@@ -184,7 +184,7 @@ def _runs(
 
     Raises InputError where a file is wrong, with the faults of all files and those found before.
     """
-    keys = UserKeys(given, used={COMPENSATION})
+    keys = UserKeys(given=given, used={COMPENSATION})
     faults: list[Fault] = list(found)
     sources: list[InstrumentRun] = []
     for path in files:
