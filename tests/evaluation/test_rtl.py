@@ -44,6 +44,7 @@ def test_what_is_no_bidirectional_test_is_told(tmp_path: Path, capsys: pytest.Ca
     assert "has lengths" in refused(rtl(targets.tolist(), off), "--rotary")
     mixed = targets[[0, 2, 1, 3, 4, 5]]
     assert "does not go one way" in refused(rtl(mixed.tolist(), off))
+    assert "DEVIATIONS: one is " in refused(rtl(targets.tolist(), 1e4 * off))
     angles = tmp_path / "x.rta"
     angles.write_bytes(rtl(targets.tolist(), off).encode())
     assert main(["evaluate", str(angles)]) == 2

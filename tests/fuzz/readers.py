@@ -28,13 +28,14 @@ from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, sam
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
+from trueaxis.evaluation.iso230_2.table_file import read_runs
 from trueaxis.evaluation.iso230_6.diagonal_test import diagonal_test
 from trueaxis.evaluation.iso230_6.figures import diagonal_figures
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
 from trueaxis.instrument_files.data_run import data_run
+from trueaxis.instrument_files.positioning import positioning_test
 from trueaxis.instrument_files.read import read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Faults, InputError
@@ -109,7 +110,7 @@ def _expression(path: Path, machine: Machine) -> object:
 
 
 def _positioning_test(path: Path, _: Machine) -> object:
-    return evaluate(read_positioning_test(path), "iso")
+    return evaluate(positioning_test(path), "iso")
 
 
 def _diagonals(path: Path, _: Machine) -> object:
@@ -209,6 +210,7 @@ READERS = (
     Reader("fleet", "fleet.toml", _fleet),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
+    Reader("iso230-rtl", "laser.rtl", _positioning_test, (*_EVALUATE, "IN/laser.rtl")),
     Reader("diagonals", "diagonals.csv", _diagonals, (*_EVALUATE, "IN/diagonals.csv", "--diagonals", "X=60", "Y=80")),
     Reader("rtl", "laser.rtl", _instrument),
     Reader("rta", "laser.rta", _instrument),

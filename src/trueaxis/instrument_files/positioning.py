@@ -4,7 +4,15 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.positioning_test import FEWEST_CYCLES, FloatArray, PositioningTest, Unit, too_few
+from trueaxis.evaluation.iso230_2.positioning_test import (
+    FEWEST_CYCLES,
+    LARGEST_DEVIATION,
+    MOST_TARGETS,
+    FloatArray,
+    PositioningTest,
+    Unit,
+    too_few,
+)
 from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
 from trueaxis.instrument_files.rtl_file import ANGLES, is_rtl, read_rtl
 from trueaxis.io.faults import Fault, Faults, InputError
@@ -34,25 +42,28 @@ def _of_rtl(path: Path, unit: Unit, fewest_cycles: int) -> PositioningTest:
     targets, directions = run.targets, run.directions
     assert targets is not None  # of a .rtl file both are there
     assert directions is not None
-    if (directions == 0).any():
-        faults.add(
-            "DEVIATIONS", "has a run over its targets that does not go one way", "targets in their order, or back"
-        )
-        faults.raise_if_any()
     positions = np.unique(targets)
-    sides = [_approaches(positions, targets[directions == way], run.reading[directions == way]) for way in (1, -1)]
-    counts = {one.shape[1] for one in sides}
-    if len(counts) > 1:
-        there = f"{sides[0].shape[1]} runs in the positive direction and {sides[1].shape[1]} in the negative one"
-        faults.add("DEVIATIONS", f"has {there}", "as many in each: a bidirectional test")
-    elif problem := too_few("cycle", counts.pop(), float(np.ptp(positions)), unit, fewest_cycles):
-        faults.add("DEVIATIONS", problem)
-    if problem := too_few("target", positions.size):
+    if positions.size > MOST_TARGETS:
+        faults.add("TARGET DATA", f"has {positions.size} targets", f"at most {MOST_TARGETS}")
+    elif problem := too_few("target", positions.size):
         faults.add("TARGET DATA", problem)
+    largest = float(np.abs(run.reading).max())
+    if largest > LARGEST_DEVIATION:
+        faults.add("DEVIATIONS", f"one is {largest:.6g} mm", f"at most {LARGEST_DEVIATION:g} mm, in um")
+    if (directions == 0).any():
+        problem = "has a run over its targets that does not go one way"
+        faults.add("DEVIATIONS", problem, "targets in their order, or back")
     faults.raise_if_any()
-    return PositioningTest(positions, positions[:, np.newaxis] + sides[0], positions[:, np.newaxis] + sides[1])
+    up, down = (_approaches(targets[directions == way], run.reading[directions == way], positions) for way in (1, -1))
+    if up.shape != down.shape:
+        there = f"{up.shape[1]} runs in the positive direction and {down.shape[1]} in the negative one"
+        faults.add("DEVIATIONS", f"has {there}", "as many in each: a bidirectional test")
+    elif problem := too_few("cycle", up.shape[1], float(np.ptp(positions)), unit, fewest_cycles):
+        faults.add("DEVIATIONS", problem)
+    faults.raise_if_any()
+    return PositioningTest(positions, positions[:, np.newaxis] + up, positions[:, np.newaxis] + down)
 
 
-def _approaches(positions: FloatArray, targets: FloatArray, readings: FloatArray) -> FloatArray:
+def _approaches(targets: FloatArray, readings: FloatArray, positions: FloatArray) -> FloatArray:
     """(m, n): readings at each position in their order; a .rtl file has every target in every run."""
-    return np.array([readings[targets == one] for one in positions])
+    return readings[np.argsort(targets, kind="stable")].reshape(positions.size, -1)

@@ -93,6 +93,8 @@ def evaluate(
         runs = [("data", name, _checked(one, fewest_cycles=1)) for name, one in data.items()]
         return _diagonals(runs, "the readings", options, argument)
     if isinstance(data, PositioningTest):
+        if options.diagonals is not None:
+            raise ValueError("data: expected files, or tests by name of the diagonal; given one without a name")
         return _positioning(_checked(data), "the readings", options, argument)
     paths = [Path(one) for one in ([data] if isinstance(data, str | PathLike) else data)]
     if not paths:

@@ -70,6 +70,8 @@ def test_a_column_run_and_arrays_give_the_same(tmp_path: Path, capsys: pytest.Ca
         ta.evaluate(tests, diagonals={"X": 500.0})
     with pytest.raises(ValueError, match="several tests are diagonals"):
         ta.evaluate(tests)
+    with pytest.raises(ValueError, match="given one without a name"):
+        ta.evaluate(tests["ppp"], diagonals=lengths)
     with pytest.raises(ValueError, match="expected tests in mm"):
         ta.evaluate({"ppp": replace(tests["ppp"], unit="deg")}, diagonals=lengths)
 
