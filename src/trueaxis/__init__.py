@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from trueaxis.jobs.compensation_arguments import CompensationSettings
     from trueaxis.jobs.derive import Derivation, SolvedSystem, derive
     from trueaxis.jobs.diagnose import Diagnosed, diagnose
-    from trueaxis.jobs.evaluate import EvaluatedCircle, EvaluatedPositioning, evaluate
+    from trueaxis.jobs.evaluate import evaluate
+    from trueaxis.jobs.evaluated import EvaluatedCircle, EvaluatedDiagonals, EvaluatedPositioning
     from trueaxis.jobs.export import Exported, export
     from trueaxis.jobs.fit import Fitted, fit
     from trueaxis.jobs.fleet import FleetResult, fleet
@@ -68,6 +69,7 @@ __all__ = [
     "ErrorValues",
     "Errors",
     "EvaluatedCircle",
+    "EvaluatedDiagonals",
     "EvaluatedPositioning",
     "Exported",
     "Fault",
@@ -121,7 +123,8 @@ _MODULES = {
     "jobs.compensation_arguments": ("CompensationSettings",),
     "jobs.derive": ("Derivation", "SolvedSystem", "derive",),
     "jobs.diagnose": ("Diagnosed", "diagnose",),
-    "jobs.evaluate": ("EvaluatedCircle", "EvaluatedPositioning", "evaluate",),
+    "jobs.evaluate": ("evaluate",),
+    "jobs.evaluated": ("EvaluatedCircle", "EvaluatedDiagonals", "EvaluatedPositioning",),
     "jobs.export": ("Exported", "export",),
     "jobs.fit": ("Fitted", "fit",),
     "jobs.fleet": ("FleetResult", "fleet",),

@@ -14,7 +14,7 @@ from trueaxis import evaluate
 from trueaxis.evaluation.iso230_2.evaluation import evaluate as by_iso230_2
 from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
 from trueaxis.evaluation.vdi3441 import Vdi3441, figures_of
-from trueaxis.jobs.evaluate import EvaluatedPositioning
+from trueaxis.jobs.evaluated import EvaluatedPositioning
 
 
 def test_a_case_worked_by_hand() -> None:

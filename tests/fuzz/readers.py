@@ -28,11 +28,14 @@ from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, sam
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.iso230_2.table_file import read_runs
+from trueaxis.evaluation.iso230_6.diagonal_test import diagonal_test
+from trueaxis.evaluation.iso230_6.figures import diagonal_figures
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
 from trueaxis.instrument_files.data_run import data_run
+from trueaxis.instrument_files.positioning import positioning_test
 from trueaxis.instrument_files.read import read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Faults, InputError
@@ -107,7 +110,12 @@ def _expression(path: Path, machine: Machine) -> object:
 
 
 def _positioning_test(path: Path, _: Machine) -> object:
-    return evaluate(read_positioning_test(path), "iso")
+    return evaluate(positioning_test(path), "iso")
+
+
+def _diagonals(path: Path, _: Machine) -> object:
+    runs = [(str(path), name, test) for name, test in read_runs(path, fewest_cycles=1).items()]
+    return diagonal_figures(diagonal_test(runs, {"X": 60.0, "Y": 80.0}, str(path)))
 
 
 def _machine(path: Path, _: Machine) -> object:
@@ -143,7 +151,7 @@ def _instrument(path: Path, machine: Machine) -> object:
     given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
     given |= {"axis": machine.axes[0], "target.point": "0,0,0", "reference.point": "0,0,0", "direction": "1,0,0"}
     unit = "urad" if path.suffix == ".rta" else "um"
-    keys = UserKeys(given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
+    keys = UserKeys(given=given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
     sources = read_instrument_file(path, None, keys)
     runs = [data_run(source, machine, keys, lambda _, point: point) for source in sources]
     if faults := [*keys.faults, *(question.fault for question in keys.questions)]:
@@ -202,6 +210,8 @@ READERS = (
     Reader("fleet", "fleet.toml", _fleet),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
+    Reader("iso230-rtl", "laser.rtl", _positioning_test, (*_EVALUATE, "IN/laser.rtl")),
+    Reader("diagonals", "diagonals.csv", _diagonals, (*_EVALUATE, "IN/diagonals.csv", "--diagonals", "X=60", "Y=80")),
     Reader("rtl", "laser.rtl", _instrument),
     Reader("rta", "laser.rta", _instrument),
     Reader("laser-csv", "laser.csv", _instrument, (*_IMPORT, "--map", "target.point=0,0,0", "direction=0,0,1")),

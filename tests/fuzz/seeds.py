@@ -90,6 +90,7 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "fleet.toml": b'[[machine]]\nid = "M1"\nspec = "machine.toml"\nerrors = "errors.json"\ndata = "da*"\n'
         b'[[machine]]\nid = "M2"\nspec = "s/m.toml"\ndata = ["d/2026-*", "data"]\ntasks = ["report", "identify"]\n',
         "test.csv": _positioning(draw).encode(),
+        "diagonals.csv": _diagonals(draw).encode(),
         "test.dat": _dat(draw).encode(),
         "laser.rtl": _rtl(machine, draw),
         "laser.rta": _rtl(machine, Random(1)),
@@ -233,6 +234,18 @@ def _positioning(draw: Random) -> str:
     rows = [f"{target},{cycle},{direction},{target + draw.gauss(0, 1e-3):.5f}"
             for target in (0.0, 25.5, 51.25, 99.0) for cycle in (1, 2, 3) for direction in ("+1", "-1")]  # fmt: skip
     return "\n".join(["target,cycle,direction,measured", *rows]) + "\n"
+
+
+def _diagonals(draw: Random) -> str:
+    """Both of a face of 60 by 80 mm."""
+    rows = [
+        f"{target},{cycle},{direction},{target + draw.gauss(0, 1e-3):.5f},{run}"
+        for run in ("pp", "np")
+        for target in (0.0, 51.25, 100.0)
+        for cycle in (1, 2)
+        for direction in ("+1", "-1")
+    ]
+    return "\n".join(["target,cycle,direction,measured,run", *rows]) + "\n"
 
 
 def _dat(draw: Random) -> str:

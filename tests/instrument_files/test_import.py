@@ -133,6 +133,33 @@ def test_a_person_at_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.Mon
     assert [run.home for run in data.setup.runs] == [{"X": 0.0, "Y": 70.0, "Z": 0.0}, {"X": 0.0, "Y": 70.0, "Z": 5.0}]
 
 
+def test_an_answer_that_is_wrong_is_asked_for_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    (tmp_path / "one.rtl").write_bytes(rtl(LONG_AXIS, SHAPE[np.newaxis]).encode())
+    said = Terminal()
+    monkeypatch.setattr(sys, "stdin", Terminal("Q\nX\n7o\n70\n0\n1,2\n1,2,3\n"))
+    monkeypatch.setattr(sys, "stderr", said)
+    data = imported(tmp_path / "data", tmp_path / "one.rtl")
+    assert data.setup.runs[0].target.point == (1.0, 2.0, 3.0)
+    assert data.setup.runs[0].home == {"X": 0.0, "Y": 70.0, "Z": 0.0}
+    assert re.findall('"(.*)" of --map is not right', said.getvalue()) == ["Q", "7o", "1,2"]
+
+
+def test_what_is_needed_in_any_case_is_told_with_the_first_question(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "one.rtl").write_bytes(rtl(LONG_AXIS, SHAPE[np.newaxis]).encode())
+    (tmp_path / "bar.csv").write_text("angle [deg];radius [mm]\n0;150\n90;150,001\n180;150\n")
+    shown = refused(tmp_path / "out", capsys, tmp_path / "one.rtl", tmp_path / "bar.csv")
+    assert re.findall(r"run (\w+): .*--map (\S+)=", shown) == [
+        *(("one", key) for key in ("axis", "target.point")),
+        *(("bar", key) for key in ("length", "plane", "at.X", "at.Y", "at.Z", "target.point")),
+    ]
+
+
 @pytest.mark.parametrize(
     ("change", "fault"),
     [

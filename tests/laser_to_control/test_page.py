@@ -21,7 +21,7 @@ def test_every_command_does_what_the_page_says(tmp_path: Path, monkeypatch: pyte
     shutil.copytree(FOLDER, tmp_path / "shop")
     monkeypatch.chdir(tmp_path)
     text = PAGE.read_text(encoding="utf-8")
-    assert tutorials.run(text, tmp_path) == 9
+    assert tutorials.run(text, tmp_path) == 10
     assert not Path("no").exists()
     found = left(tmp_path)
     told = dict(re.findall(r"^(\w[\w ]+): ([\d.]+) um$", text, re.MULTILINE))

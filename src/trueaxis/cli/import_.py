@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,8 +69,12 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _answer(question: Question, given: Mapping[str, str]) -> str:
-    """What the person at the terminal types; an empty line repeats the last answer to that key."""
+def _answer(question: Question, given: Mapping[str, str], wrong: Sequence[Fault]) -> str:
+    """What the person at the terminal types; an empty line repeats the last answer to that key. wrong: faults of the
+    answer before.
+    """
+    for fault in wrong:
+        print(fault, file=sys.stderr)
     earlier = [value for key, value in given.items() if key.partition(":")[2] == question.key]
     again = f" [{earlier[-1]}]" if earlier else ""
     meaning = f"{Path(question.file).name}, run {question.run}: {question.meaning}"

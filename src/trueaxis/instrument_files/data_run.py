@@ -22,6 +22,7 @@ from trueaxis.view import Carrier, Frame
 
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
 SLANTED = 1e-3  # by which the cosine of a direction along an axis may be less than 1
+MOVING_OPTIC = "where the moving optic or sensor is, in the frame of {}, mm"
 SMALLEST = 1e-9  # length of a direction that can be made a unit vector
 
 # the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm
@@ -74,7 +75,9 @@ def _along(
     if source.targets is not None and axis is None:
         right = machine.axes[0]
         axis = own.text("axis", f"which axis moved ({' '.join(machine.axes)})", right, among=machine.axes)
-        if axis is None:
+        if axis is None:  # of the rest, what is needed in any case
+            if instrument != ANGLE:
+                own.vector("target.point", MOVING_OPTIC.format("its carrier"), "X,Y,Z")
             return None
     positions = _positions(source, machine, own, axis)
     moved = [name for row, name in enumerate(machine.axes) if np.ptp(positions[row]) > 0.0]
@@ -84,7 +87,7 @@ def _along(
     frame_of = cast("Frame | None", own.text("frame", "", "bed", among=("bed", "workpiece"), default="bed"))
     angle = instrument == ANGLE
     direction = _direction(machine, own, mover, angle=angle)
-    meaning = f"where the moving optic or sensor is, in the frame of the {on or side}, mm"
+    meaning = MOVING_OPTIC.format(f"the {on or side}")
     target = (0.0, 0.0, 0.0) if angle else own.vector("target.point", meaning, "X,Y,Z")  # all points turn alike
     reference = _reference(own, angle=angle)
     warm = _normalised(source, machine, own, positions, (mover, on, frame_of, direction))
@@ -125,8 +128,6 @@ def _ball_bar(
             own.wrong("plane", "", "positions of the axes: this machine has no two linear axes")
             return None
         plane = own.text("plane", f"the plane of the circle ({' '.join(planes)})", planes[0], among=planes)
-        if plane is None or length is None:
-            return None
     positions = _positions(source, machine, own, None, circle=plane)
     centre = positions[:, :1].copy()
     if plane is not None and length is not None and source.angle is not None:
@@ -137,9 +138,11 @@ def _ball_bar(
     if plane is not None and tool is not None:
         at = view(centre, np.array(tool)[:, np.newaxis])[:, 0]
         default = cast(Vector, tuple(float(round(value, 9)) for value in at))
+    if tool is None or (plane is None and not source.positions):
+        return None  # where the other ball is may follow from these
     meaning = "where the ball on the workpiece is, in the frame of the workpiece, mm"
     ball = own.vector("reference.point", meaning, "X,Y,Z", default=default)
-    if length is None or tool is None or ball is None:
+    if length is None or ball is None:
         return None
     run = Run(
         id=run_id, instrument="ballbar", target=PointOn("tool", tool), reference=PointOn("workpiece", ball),

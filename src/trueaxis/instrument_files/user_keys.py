@@ -31,23 +31,30 @@ class Question:
     right: str
 
     @property
+    def name(self) -> str:
+        """The key of this run alone, as --map has it."""
+        return f"{self.run}:{self.key}"
+
+    @property
     def fault(self) -> Fault:
         """As a fault, for a user who cannot be asked."""
         problem = f"the file does not say {self.meaning}"
         return Fault(self.file, f"run {self.run}", problem, f"--map {self.key}={self.right}")
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class UserKeys:
     """Keys for all runs and, as `RUN:KEY`, for one run, or for the runs of a file by its name without suffix.
 
-    used: keys that some run asked for; questions: what was asked for and is not there; faults: values that are wrong.
+    used: keys that some run asked for; questions: what was asked for and is not there; faults: values that are wrong;
+    wrong: their keys, as RUN:KEY.
     """
 
     given: Mapping[str, str]
     used: set[str] = field(default_factory=set)
     questions: list[Question] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
+    wrong: set[str] = field(default_factory=set)
 
     def of_run(self, file: str, run: str) -> "RunKeys":
         """The keys of one run of a file."""
@@ -141,6 +148,7 @@ class RunKeys:
         """Note a value that is wrong."""
         problem = f'"{shown(value, LONGEST_SHOWN)}" of --map is not right'
         self.keys.faults.append(Fault(self.file, f"run {self.run}, {key}", problem, right))
+        self.keys.wrong.add(f"{self.run}:{key}")
 
     def why(self, key: str) -> str:
         """Why a key has its value though no file says it."""

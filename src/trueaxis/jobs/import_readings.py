@@ -28,7 +28,7 @@ from trueaxis.model.model import MachineModel
 
 COMPENSATION = "compensation"
 KeyValue = str | float | Sequence[float]
-Ask = Callable[[Question, Mapping[str, str]], str]
+Ask = Callable[[Question, Mapping[str, str], Sequence[Fault]], str]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -125,15 +125,22 @@ def imported(
     ask: Ask | None = None,
 ) -> Imported:
     """As `import_readings`. found: faults so far, told with those of the files; ask: gives what a run lacks, from a
-    person; given takes it in.
+    person; given takes it in. An answer that is wrong is asked for again, with its faults.
     """
-    unknown = UserKeys(given).unknown()
+    unknown = UserKeys(given=given).unknown()
+    asked: Question | None = None
     while True:
         runs, keys = _runs(files, machine, view, given, format, found)
-        if ask is None or found or unknown or keys.faults or not keys.questions:
+        wrong: Sequence[Fault] = ()
+        if ask is not None and asked is not None and asked.name in keys.wrong:
+            wrong, question = keys.faults, asked
+            del given[asked.name]
+        elif ask is None or found or unknown or keys.faults or not keys.questions:
             break
-        question = keys.questions[0]
-        given[f"{question.run}:{question.key}"] = ask(question, given)
+        else:
+            question = keys.questions[0]
+        given[question.name] = ask(question, given, wrong)
+        asked = question
     faults = [*unknown, *keys.faults, *(question.fault for question in keys.questions)]
     if not faults:
         faults = keys.unused()
@@ -177,7 +184,7 @@ def _runs(
 
     Raises InputError where a file is wrong, with the faults of all files and those found before.
     """
-    keys = UserKeys(given, used={COMPENSATION})
+    keys = UserKeys(given=given, used={COMPENSATION})
     faults: list[Fault] = list(found)
     sources: list[InstrumentRun] = []
     for path in files:

@@ -1,6 +1,7 @@
 """trueaxis evaluate on tables of a ball bar: what it prints, writes and refuses."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -79,3 +80,13 @@ def test_faults_of_files_and_options(files: list[str], tmp_path: Path, capsys: p
     assert "two kinds" in capsys.readouterr().err
     assert main(["evaluate", str(line), "--plane", "XY"]) == 2
     assert "positioning test" in capsys.readouterr().err
+
+
+def test_zeros_have_no_sign(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    angle = turn(1, 90)
+    rows = [f"{np.degrees(a):.6f},{-1e-7 + 3e-3 * np.sin(2 * a):.9f}" for a in angle]
+    (tmp_path / "c.csv").write_text("angle (deg),deviation (mm)\n" + "\n".join(rows) + "\n")
+    assert main(["evaluate", str(tmp_path / "c.csv"), *OPTIONS]) == 0
+    told = capsys.readouterr().out
+    assert "radius: 0.00 um above nominal" in told
+    assert not re.search(r"-0\.0+\b", told)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from trueaxis.evaluation.iso230_2.positioning_test import (
     FARTHEST_TARGET,
+    FEWEST_CYCLES,
     LARGEST_DEVIATION,
     MOST_CYCLES,
     MOST_TARGETS,
@@ -41,20 +42,23 @@ _INDEX = re.compile(r"[ \t]*([0-9]{1,9})[ \t]*")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class _Content:
-    """What a file assigned: values by name and index, NaN where a value was wrong; lines where it did. unit: asked."""
+    """What a file assigned: values by name and index, NaN where a value was wrong; lines where it did. unit and
+    fewest_cycles: asked.
+    """
 
     unit: Unit = "mm"
+    fewest_cycles: int = FEWEST_CYCLES
     values: dict[str, dict[tuple[int, ...], float]] = field(default_factory=lambda: {name: {} for name in INDEX})
     counts: dict[str, int] = field(default_factory=dict)
     lines: dict[tuple[str, tuple[int, ...]], int] = field(default_factory=dict)
 
 
-def read_dat(path: Path, unit: Unit = "mm") -> PositioningTest:
+def read_dat(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
     """Read a .dat file; unit: of its positions. Raises InputError with every fault, each with its line."""
     faults = Faults(str(path))
-    content = _Content(unit)
+    content = _Content(unit=unit, fewest_cycles=fewest_cycles)
     for statement in _statements(utf8_text(path, input_bytes(path)), faults):
         _take(statement, content, faults)
     m = _size("POSITIONS", "position", 0, content, faults)
@@ -150,12 +154,12 @@ def _size(name: str, what: str, axis: int, content: _Content, faults: Faults) ->
     highest = max((index[axis] for index in indices), default=0)
     declared = content.counts.get(name)
     targets = [value for value in content.values[TARGET].values() if not math.isnan(value)]
-    span = max(targets) - min(targets) if targets else 0.0
+    asked = max(targets) - min(targets) if targets else 0.0, content.unit, content.fewest_cycles
     if declared is None:
-        if (name, ()) not in content.lines and (problem := too_few(what, highest, span, content.unit)):
+        if (name, ()) not in content.lines and (problem := too_few(what, highest, *asked)):
             faults.add("", problem)
         return highest
-    if problem := too_few(what, declared, span, content.unit):
+    if problem := too_few(what, declared, *asked):
         faults.add(f"line {content.lines[name, ()]}", problem)
     elif highest > declared:
         place = f"line {content.lines[name, ()]}"

@@ -10,6 +10,7 @@ FloatArray = NDArray[np.float64]
 
 MOST_TARGETS, MOST_CYCLES = 2000, 1000  # more is a table whose columns are confused
 FARTHEST_TARGET = 1e5  # mm
+FEWEST_CYCLES = 2  # of an axis up to its longest; of a diagonal 1, which gives no R and A
 LARGEST_DEVIATION = 10.0  # mm: beyond it target and reading are not in one unit, or not of one position
 
 
@@ -36,8 +37,9 @@ class PositioningTest:
         return replace(self, positive=self.negative, negative=self.positive)
 
 
-def too_few(what: str, count: int, span: float = 0.0, unit: Unit = "mm") -> str:
+def too_few(what: str, count: int, span: float = 0.0, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> str:
     """What is wrong with this many targets or cycles; empty where there are enough. span: of the targets, in `unit`."""
-    if count >= 2 or (what == "cycle" and count == 1 and span > LONGEST_AXIS[unit]):
+    single = fewest_cycles == 1 or span > LONGEST_AXIS[unit]
+    if count >= 2 or (what == "cycle" and count == 1 and single):
         return ""
     return f"has {count} {what}{'' if count == 1 else 's'}: an evaluation needs at least 2, the standard's test 5"

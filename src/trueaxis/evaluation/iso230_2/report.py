@@ -47,7 +47,7 @@ def report_text(source: str, evaluation: Evaluation) -> str:
     legend = [line.format(unit=e.unit, small=small) for line in _LEGEND]
     lines = [f"{source}: {head}", *legend, "", "".join(f"{name:>{_width(name)}}" for name in _COLUMNS)]
     for number, row in enumerate(zip(*rows, strict=True), start=1):
-        cells = [f"{number:>{_width('i')}}", f"{row[0]:{_width('P_i')}.10g}", *(_cell(v, 9) for v in row[1:])]
+        cells = [f"{number:>{_width('i')}}", f"{row[0]:{_width('P_i')}.10g}", *(cell(v, 9) for v in row[1:])]
         lines.append("".join(cells))
     for factor, small in SHOWN[e.unit]:
         lines += ["", f"{f'of the axis ({small})':<33}{'+':>10}{'-':>10}{'both':>10}"]
@@ -74,7 +74,7 @@ def _by_vdi3441(e: Evaluation) -> list[str]:
         f"{2 * COVERAGE_FACTOR})\n{'':<33}" + "".join(f"{small:>10}" for _, small in units)
     ]
     for symbol, value in found.named().items():
-        lines.append(f"{_VDI_NAMES[symbol]:<33}" + "".join(_cell(factor * value, 10) for factor, _ in units))
+        lines.append(f"{_VDI_NAMES[symbol]:<33}" + "".join(cell(factor * value, 10) for factor, _ in units))
     return [*lines, ""]
 
 
@@ -150,8 +150,9 @@ def _width(name: str) -> int:
 
 
 def _axis(factor: float, name: str, *values: float | None) -> str:
-    return (f"{name:<33}" + "".join(" " * 10 if v is None else _cell(factor * v, 10) for v in values)).rstrip()
+    return (f"{name:<33}" + "".join(" " * 10 if v is None else cell(factor * v, 10) for v in values)).rstrip()
 
 
-def _cell(value: float, width: int) -> str:
-    return f"{'-':>{width}}" if math.isnan(value) else f"{value:{width}.2f}"
+def cell(value: float, width: int) -> str:
+    """With two decimals; a dash where there is no value."""
+    return f"{'-':>{width}}" if math.isnan(value) else f"{value:z{width}.2f}"

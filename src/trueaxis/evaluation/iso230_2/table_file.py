@@ -14,6 +14,7 @@ import numpy.typing as npt
 from trueaxis.evaluation.iso230_2.dat_file import read_dat
 from trueaxis.evaluation.iso230_2.positioning_test import (
     FARTHEST_TARGET,
+    FEWEST_CYCLES,
     LARGEST_DEVIATION,
     MOST_CYCLES,
     MOST_TARGETS,
@@ -22,7 +23,7 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     too_few,
 )
 from trueaxis.io.faults import Fault, Faults, InputError
-from trueaxis.io.input_files import decoded, input_bytes
+from trueaxis.io.input_files import decoded, gathering, input_bytes
 from trueaxis.measurement.columns import note, numbers, shortened, texts, whole_numbers
 from trueaxis.measurement.delimited import Dimension, as_table, factor, heading, read_delimited, units_of
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
@@ -32,6 +33,7 @@ FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 COLUMNS = ("target", "cycle", "direction", "measured")
 DEVIATION = "deviation"  # in place of the last one
+RUN = "run"  # of a table of several tests
 POSITIVE = ("+1", "1", "+", "forward", "fwd", "positive", "pos")
 NEGATIVE = ("-1", "-", "backward", "bwd", "negative", "neg")
 _NAMES = ("forward", "backward")
@@ -39,23 +41,59 @@ _NAMES = ("forward", "backward")
 STILL = 0.2
 
 
-def read_positioning_test(path: Path, unit: Unit = "mm") -> PositioningTest:
+def read_positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
     """Read a .dat, .csv, .txt or .parquet file; unit: of its positions. Raises InputError with every fault."""
     if path.suffix == ".dat":
-        return read_dat(path, unit)
+        return read_dat(path, unit, fewest_cycles)
     if path.suffix in TABLES:
-        return read_positioning_table(path, unit)
-    raise InputError([Fault(str(path), "", "is of no known kind", "a name that ends in .dat, .csv, .txt or .parquet")])
+        return read_positioning_table(path, unit, fewest_cycles)
+    raise InputError(
+        [
+            Fault(
+                str(path), "", "is of no known kind", "a .rtl file, or a name that ends in .dat, .csv, .txt or .parquet"
+            )
+        ]
+    )
 
 
-def read_positioning_table(path: Path, unit: Unit = "mm") -> PositioningTest:
+def read_positioning_table(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
     """Read a table of readings, in `unit` where its header names no other; targets are put in ascending order. Columns
     are separated by commas or, numbers with a comma or a point, by semicolons, tabs or spaces; or Parquet.
 
     Raises InputError with every fault, each with its line and column.
     """
+    return _test(path, *_named(_table(path)), unit, fewest_cycles)
+
+
+def read_runs(path: Path, fewest_cycles: int = FEWEST_CYCLES) -> dict[str, PositioningTest]:
+    """The tests of a file, mm, by the names in its column `run`, or one by the name of the file without its suffix.
+
+    Raises InputError with every fault.
+    """
+    table, units = _named(_table(path)) if path.suffix in TABLES else (None, {})
+    if table is None or RUN not in table.frame.columns:
+        return {path.stem: read_positioning_test(path, fewest_cycles=fewest_cycles)}
     faults = Faults(str(path))
-    table, units = _named(_table(path))
+    names = texts(table, RUN, faults)
+    _check_names(replace(table, frame=table.frame.drop(RUN)), faults)
+    faults.raise_if_any()
+    lines = np.arange(1, table.frame.height + 1) if table.lines is None else table.lines
+    found = {}
+    for name in names.unique(maintain_order=True):
+        rows = (names == name).to_numpy()
+        part = Table(table.frame.filter(rows).drop(RUN), lines[rows])
+        own: list[Fault] = []
+        with gathering(own):
+            found[name] = _test(path, part, units, "mm", fewest_cycles)
+        for fault in own:
+            faults.add(", ".join(filter(None, (f"run {name}", fault.place))), fault.problem, fault.remedy)
+    faults.raise_if_any()
+    return found
+
+
+def _test(path: Path, table: Table, units: Mapping[str, str], unit: Unit, fewest_cycles: int) -> PositioningTest:
+    """The test of a table whose columns have small letters, with their units beside."""
+    faults = Faults(str(path))
     _check_names(table, faults)
     faults.raise_if_any()
     factors = {name: _factor(name, units.get(name, ""), unit, faults) for name in ("target", _reading(table))}
@@ -71,6 +109,7 @@ def read_positioning_table(path: Path, unit: Unit = "mm") -> PositioningTest:
     measured = _measured(table, np.where(far, np.nan, targets), factors, unit, faults)
     if not keys_read:
         faults.raise_if_any()
+    _check_counts(targets, cycles, faults, unit, fewest_cycles)
     return _gridded(table, targets, cycles, directions, measured, faults, unit)
 
 
@@ -167,6 +206,18 @@ def _directions(table: Table, faults: Faults) -> IntArray:
     return codes
 
 
+def _check_counts(targets: FloatArray, cycles: IntArray, faults: Faults, unit: Unit, fewest_cycles: int) -> None:
+    """Note too few targets or cycles. Raises InputError for too many: the cells of these are not looked at."""
+    span = float(np.ptp(targets)) if targets.size else 0.0
+    for what, column, most in (("target", targets, MOST_TARGETS), ("cycle", cycles, MOST_CYCLES)):
+        count = len(np.unique(column))
+        if problem := too_few(what, count, span, unit, fewest_cycles):
+            faults.add(f"column {what}", problem)
+        if count > most:
+            faults.add(f"column {what}", f"has {count} different values", f"at most {most} {what}s")
+            faults.raise_if_any()
+
+
 def _gridded(
     table: Table,
     targets: FloatArray,
@@ -178,12 +229,6 @@ def _gridded(
 ) -> PositioningTest:
     positions, i = np.unique(targets, return_inverse=True)
     runs, j = np.unique(cycles, return_inverse=True)
-    for what, count, most in (("target", len(positions), MOST_TARGETS), ("cycle", len(runs), MOST_CYCLES)):
-        if problem := too_few(what, count, float(np.ptp(positions)) if positions.size else 0.0, unit):
-            faults.add(f"column {what}", problem)
-        if count > most:
-            faults.add(f"column {what}", f"has {count} different values", f"at most {most} {what}s")
-            faults.raise_if_any()
     shape = (2, len(positions), len(runs))
     cell = (directions * shape[1] + i) * shape[2] + j
     again = np.ones(len(cell), dtype=np.bool_)

@@ -41,12 +41,12 @@ def report_text(source: str, test: CircularTest, figures: CircularFigures, parts
     ]
     lines += ["", f"{'deviation, um':<34}{'sense':>6}{'G':>10}{'F max':>10}{'F min':>10}{'G min. zone':>13}"]
     for one in figures.arcs:
-        cells = "".join(f"{1e3 * value:>10.2f}" for value in (one.G, one.F_max, one.F_min))
+        cells = "".join(f"{1e3 * value:>z10.2f}" for value in (one.G, one.F_max, one.F_min))
         lines.append(f"{one.id:<34}{SENSES[one.sense]:>6}{cells}{1e3 * one.zone:>13.2f}")
     both = "-" if figures.G_b is None else f"{1e3 * figures.G_b:.2f}"
     lines += [
         f"{'both senses, G(b)':<40}{both:>10}",
-        f"{'mean radial deviation D':<40}{1e3 * figures.D:>10.2f}",
+        f"{'mean radial deviation D':<40}{1e3 * figures.D:>z10.2f}",
         "",
         f"{'':>4} {'error':<18}{'of':<14}{'value':>10}{'u':>9} {'unit':<6}{'range, um':>10}{'share':>8}",
     ]
@@ -54,13 +54,13 @@ def report_text(source: str, test: CircularTest, figures: CircularFigures, parts
         pitch = "" if part.pitch is None else f"  period {part.pitch:.3g} mm"
         digits = _decimals(part.u)
         lines.append(
-            f"{rank:>4} {NAMES[part.error]:<18}{part.of:<14}{part.value:>10.{digits}f}{part.u:>9.{digits}f} "
+            f"{rank:>4} {NAMES[part.error]:<18}{part.of:<14}{part.value:>z10.{digits}f}{part.u:>9.{digits}f} "
             f"{part.unit:<6}{1e3 * part.range:>10.2f}{part.share:>8.0%}{pitch}"
         )
     value, u = parts.radius
     lines += [
         "",
-        f"radius: {1e3 * value:.2f} um above nominal (u {1e3 * u:.2f} um): scale of both axes and length of the bar",
+        f"radius: {1e3 * value:z.2f} um above nominal (u {1e3 * u:.2f} um): scale of both axes and length of the bar",
         f"left over: {1e3 * parts.residual:.2f} um RMS; the errors explain {parts.explained:.1%} of the mean square",
     ]
     lines += [f"note: {text}" for text in notes(test, parts)]

@@ -19,7 +19,7 @@ def basis_table(content: Content) -> Table:
     rows = [("readings", NOT_SAID)] if origin is None else _of_readings(origin)
     rows.append(("fit", fit_text(content.fit)))
     if origin is not None:
-        prior = "errors of the sizes of [prior] are expected, as the readings correct them"
+        prior = "errors are expected to have the sizes of [prior], which the readings may correct"
         none = "none: what the readings do not determine is zero, and has no u"
         rows.append(("prior", prior if origin.prior else none))
         rows += _usual(content, origin)
@@ -54,7 +54,8 @@ def _usual(content: Content, origin: Origin) -> list[tuple[str, str]]:
     if not origin.usual_sizes:
         return []
     sizes = [
-        f"{one.unknown} {small(one.size, one.unit)} from {one.values} values (usual {small(one.usual, one.unit)})"
+        f"{one.unknown} {small(one.size, one.unit)} from {one.values} value{'s' * (one.values != 1)} "
+        f"(usual {small(one.usual, one.unit)})"
         for one in origin.usual_sizes
     ]
     u = content.volume.u_usual_rms

@@ -1,6 +1,7 @@
-"""Standard tests: polar plots of ball-bar circles (Fig. 22 of the paper), positioning tests as ISO 230-2 draws them.
+"""Standard tests: polar plots of ball-bar circles (Fig. 22 of the paper), positioning tests as ISO 230-2 draws them,
+diagonals.
 
-These show mean deviations of both directions with bands of 2 s to either side.
+Positioning tests show mean deviations of both directions with bands of 2 s to either side.
 """
 
 from collections.abc import Sequence
@@ -15,7 +16,8 @@ from numpy.typing import NDArray
 
 from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional
 from trueaxis.evaluation.iso230_2.report import SHOWN
-from trueaxis.reporting.pictures.png import BLUE, GREY, ORANGE, png
+from trueaxis.evaluation.iso230_6.figures import DiagonalFigures
+from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
 MICROMETRE = "\N{MICRO SIGN}m"
@@ -104,6 +106,29 @@ def _positioning_figure(evaluation: Evaluation, title: str) -> Figure:
     panel.margins(x=0.02)
     panel.spines[["top"]].set_visible(False)
     figure.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8, frameon=False)
+    return figure
+
+
+def diagonal_plot(figures: DiagonalFigures, title: str) -> bytes:
+    """PNG: mean deviations along each diagonal in micrometres; dashed: approached in the negative direction."""
+    return png(lambda: _diagonal_figure(figures, title))
+
+
+def _diagonal_figure(figures: DiagonalFigures, title: str) -> Figure:
+    figure = Figure(figsize=(8.4, 5.0), dpi=110, layout="constrained")
+    panel = figure.subplots()
+    panel.axhline(0.0, color="#B0B0B0", linewidth=0.8, zorder=0)
+    for one, colour in zip(figures.diagonals, (BLUE, ORANGE, GREEN, GREY), strict=False):
+        x, e = one.evaluation.targets, one.evaluation
+        panel.plot(x, 1e3 * e.positive.mean, "o-", color=colour, linewidth=1.5, markersize=4, label=one.name)
+        panel.plot(x, 1e3 * e.negative.mean, "s--", color=colour, linewidth=1.0, markersize=3)
+    largest = f"Ed {1e3 * figures.E_d:.1f}, Bd {1e3 * figures.B_d:.1f} {MICROMETRE}"
+    panel.set_title(f"{title}\n{largest}", fontsize=10, loc="left", parse_math=False)
+    panel.set_xlabel("target along the diagonal (mm); solid: positive approach, dashed: negative", fontsize=9)
+    panel.set_ylabel(f"mean deviation ({MICROMETRE})", fontsize=9)
+    panel.tick_params(labelsize=8)
+    panel.spines[["top", "right"]].set_visible(False)
+    figure.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8, frameon=False)
     return figure
 
 
