@@ -148,12 +148,13 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
     each = run_residuals(residuals, runs)
     if residuals.freedom <= 0:
         return FitQuality(Fit("converged"), each)
-    known = np.isfinite(residuals.noise)
-    unjudged = tuple(sorted({runs[index].instrument for index in np.unique(residuals.run[~known])}))
+    counted, told = residuals.count > 0.0, np.isfinite(residuals.noise)
+    known, unknown = counted & told, counted & ~told
+    others = [runs[index] for index in np.unique(residuals.run[unknown])]
+    unjudged = tuple(sorted({run.instrument for run in others}))
     chi2, far = _far_from_noise(residuals, runs, known) if known.any() else (None, None)
     if far is None:
-        mine = {runs[index].id for index in np.unique(residuals.run[~known])}
-        far = _larger_than_prior(residuals, ~known, [one.run for one in each if one.run in mine])
+        far = _larger_than_prior(residuals, unknown, [one.run for one in each if one.run in {run.id for run in others}])
     if far is None:
         return FitQuality(Fit("converged", chi2, unjudged=unjudged), each)
     return FitQuality(Fit("misfit", chi2, far[1], unjudged), each, far[0])
