@@ -23,7 +23,7 @@ from trueaxis.evaluation.iso230_4.contributions import contributions
 from trueaxis.evaluation.iso230_4.figures import circular_figures
 from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, diagonal_test
 from trueaxis.evaluation.iso230_6.figures import diagonal_figures
-from trueaxis.instrument_files.csv_file import read_csv
+from trueaxis.instrument_files.csv_file import OF_BALL_BAR, read_csv
 from trueaxis.instrument_files.positioning import mapped_test, positioning_test, positioning_tests
 from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
@@ -123,7 +123,7 @@ def evaluated(
         return _diagonals(runs, " ".join(map(str, paths)), options, spelled)
     for path in paths:
         with gathering(faults):
-            circles.append(recognised(path) == "ballbar-csv")
+            circles.append(_is_circle(path, options.keys))
     if faults:
         raise InputError(faults)
     if any(circles) != all(circles) or (len(paths) > 1 and not circles[0]):
@@ -133,6 +133,16 @@ def evaluated(
         )
         raise InputError([Fault(" ".join(map(str, paths)), "", problem, remedy)])
     return _circular(paths, options, spelled) if circles[0] else _positioning(paths[0], str(paths[0]), options, spelled)
+
+
+def _is_circle(path: Path, keys: Mapping[str, str]) -> bool:
+    """Whether a file is of a ball bar: by its heads, or because the user says which column has angles or radii.
+
+    Raises InputError where it is of no known kind.
+    """
+    found = recognised(path)
+    named = {key.rpartition(":")[2] for key in keys}
+    return found == "ballbar-csv" or (found == "csv" and any(f"column.{name}" in named for name in OF_BALL_BAR))
 
 
 def _positioning(
