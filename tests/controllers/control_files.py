@@ -65,16 +65,18 @@ def _regular(parts: Mapping[str, Mapping[int, float]]) -> tuple[FloatArray, Floa
 
 
 def linuxcnc(folder: Path, axes: str = "XYZ") -> Tables:
-    """src/emc/motion/usrmotintf.cc: nominal, forward, reverse; nominal - forward is added to the command."""
+    """src/emc/motion/usrmotintf.cc: nominal, forward, reverse. Added to the command is, with a file of type 0, nominal
+    less forward, and forward itself with one of type 1.
+    """
     found = {}
     for joint, block in enumerate((folder / "joints.ini").read_text().strip().split("\n\n")):
         head, file, kind = block.splitlines()
         assert head == f"[JOINT_{joint}]"
-        assert kind == "COMP_FILE_TYPE = 0"
+        assert kind in ("COMP_FILE_TYPE = 0", "COMP_FILE_TYPE = 1")
         rows = np.loadtxt(folder / file.removeprefix("COMP_FILE = "))
         assert (np.diff(rows[:, 0]) > 0).all()
         assert len(rows) <= 256
-        trim = rows[:, :1] - rows[:, 1:]
+        trim = rows[:, 1:] if kind.endswith("1") else rows[:, :1] - rows[:, 1:]
         found[axes[joint], axes[joint]] = rows[:, 0], -trim[:, 0], -trim[:, 1]
     return found
 
@@ -102,17 +104,20 @@ def _table(path: Path) -> list[list[str]]:
     return [line.split() for line in lines[1:-1]]
 
 
-def isg(text: str) -> tuple[dict[str, FloatArray], dict[str, tuple[FloatArray, dict[str, FloatArray]]]]:
-    """Points (by their first two characters and axis) and, by axis, positions and components."""
+IsgTables = dict[str, tuple[dict[str, FloatArray], dict[str, FloatArray]]]
+
+
+def isg(text: str) -> tuple[dict[str, FloatArray], IsgTables]:
+    """Points (by their first two characters and axis) and, by axis, arguments by letter and components."""
     blocks = text.split("#\n")
     points: dict[str, FloatArray] = {}
-    tables = {}
+    tables: IsgTables = {}
     for block in blocks:
         lines = [line.split() for line in block.splitlines() if not line.startswith("//")]
         cells = dict(zip(lines[0], np.array([[float(cell) for cell in line] for line in lines[1:]]).T, strict=True))
-        argument = lines[0][0]
-        if argument in "XYZABC":
-            tables[argument] = cells.pop(argument), cells
+        if lines[0][0] in "XYZABC":
+            arguments = {name: cells.pop(name) for name in lines[0] if len(name) == 1}
+            tables[next(iter(cells))[2]] = arguments, cells
             continue
         for name in ("P0", *(f"P{axis}" for axis in "ABC")):
             letters = [f"P{c}0" if name == "P0" else f"P{c}{name[1]}" for c in "XYZ"]
@@ -120,3 +125,17 @@ def isg(text: str) -> tuple[dict[str, FloatArray], dict[str, tuple[FloatArray, d
             if keys[0] in cells:
                 points[name] = np.array([cells[key][0] for key in keys])
     return points, tables
+
+
+def isg_value(arguments: Mapping[str, FloatArray], column: FloatArray, position: Mapping[str, float]) -> float:
+    """Interpolation `GRID` (P-VOLC-00014): linear in each argument, on rows that are a grid in any order."""
+    if not arguments:
+        (value,) = column
+        return float(value)
+    name, *others = arguments
+    places = np.unique(arguments[name])
+    values = []
+    for place in places:
+        rows = arguments[name] == place
+        values.append(isg_value({other: arguments[other][rows] for other in others}, column[rows], position))
+    return float(np.interp(position[name], places, values))

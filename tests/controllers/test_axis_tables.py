@@ -12,7 +12,7 @@ from tests.controllers.machines import GANTRY, TABLE, FloatArray, model_of, rand
 from tests.machines import machine_of
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes, round_step
-from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables
+from trueaxis.controllers.formats import AS_USUAL, TABLE_FORMATS, Layout, all_pairs, export_tables
 from trueaxis.controllers.remaining import remaining, taken_by_tables, untabled_effects
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
@@ -27,9 +27,11 @@ def grid(model: MachineModel, each: int = 4) -> FloatArray:
     return np.array(list(product(*(np.linspace(*model.travel[axis], each) for axis in model.axes)))).T
 
 
-def written(name: str, model: MachineModel, folder: Path, step: float | None = None) -> control_files.Tables:
+def written(
+    name: str, model: MachineModel, folder: Path, step: float | None = None, layout: Layout = AS_USUAL
+) -> control_files.Tables:
     """The files of a format, read again."""
-    export = export_tables(name, model, ORIGIN, step, grid(model))
+    export = export_tables(name, model, ORIGIN, step, grid(model), layout)
     for file, text in export.files.items():
         (folder / (file or "file")).write_text(text)
     if name == "siemens-enc":
@@ -129,6 +131,16 @@ def test_actual_positions_as_in_the_manual_of_linuxcnc() -> None:
     assert ours == [[float(cell) for cell in line.split()] for line in published.splitlines()]
 
 
+def test_offsets_as_in_the_source_of_linuxcnc() -> None:
+    """src/emc/motion/usrmotintf.cc, usrmotLoadComp: a file of type 1 has what one of type 0 becomes, nominal less
+    actual. The first row is that of the type 1 example of ini-config.adoc; its others have the opposite sign.
+    """
+    forward, backward = np.array([-0.005, 0.002, 0.003]), np.array([0.005, -0.003, -0.002])
+    table = AxisTable(of="X", by="X", positions=np.array([-1.0, 0.0, 1.0]), forward=forward, backward=backward)
+    ours = [[float(cell) for cell in line.split()] for line in linuxcnc.comp_text(table, 1).splitlines()]
+    assert ours == [[-1.0, 0.005, -0.005], [0.0, -0.002, 0.003], [1.0, -0.003, 0.002]]
+
+
 def test_sag_values_have_the_names_of_the_manual() -> None:
     """Function Manual 6FC5397-1CP10-5BA0 (11/2012), 11.3: sag of Y1 on X1, from -400 to 400 mm."""
     values = np.array([0.0, 0.01, 0.012, 0.0])
@@ -221,6 +233,11 @@ def test_lost_motion_is_in_the_tables_of_both_directions(tmp_path: Path) -> None
     at, forward, backward = written("linuxcnc-comp", model, both)["X", "X"]
     np.testing.assert_allclose(forward, 2e-5 * at + 0.003, atol=1e-7)
     np.testing.assert_allclose(backward, 2e-5 * at - 0.003, atol=1e-7)
+    offsets = tmp_path / "offsets"
+    offsets.mkdir()
+    at, forward, backward = written("linuxcnc-comp", model, offsets, layout=Layout(file_type=1))["X", "X"]
+    np.testing.assert_allclose(forward, 2e-5 * at + 0.003, atol=1e-7)
+    np.testing.assert_allclose(backward, 2e-5 * at - 0.003, atol=1e-7)
     at, one, _ = written("siemens-enc", model, mean)["X", "X"]
     np.testing.assert_allclose(one, 2e-5 * at, atol=1e-6)
     exports = {name: export_tables(name, model, ORIGIN, None, grid(model)) for name in ("linuxcnc-comp", "siemens-enc")}
@@ -240,11 +257,15 @@ def test_effects_that_no_table_holds_are_named() -> None:
     assert untabled_effects(model) == (effects[1].label,)
 
 
-@pytest.mark.parametrize("name", TABLE_FORMATS)
+@pytest.mark.parametrize(
+    ("name", "layout"), [*((name, AS_USUAL) for name in TABLE_FORMATS), ("linuxcnc-comp", Layout(file_type=1))]
+)
 @pytest.mark.parametrize("text", [GANTRY, TABLE], ids=["gantry", "moving table"])
-def test_what_is_said_to_remain_is_what_a_control_with_these_files_leaves(tmp_path: Path, name: str, text: str) -> None:
+def test_what_is_said_to_remain_is_what_a_control_with_these_files_leaves(
+    tmp_path: Path, name: str, text: str, layout: Layout
+) -> None:
     model = random_model(text, 11)
-    tables = written(name, model, tmp_path)
+    tables = written(name, model, tmp_path, layout=layout)
     positions = grid(model)
     said = export_tables(name, model, ORIGIN, None, positions).remaining
     home = np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])

@@ -76,6 +76,23 @@ def test_tables_that_make_the_machine_worse_are_refused(tmp_path: Path, capsys: 
     assert "warning" not in capsys.readouterr().out
 
 
+def test_both_types_of_files_of_linuxcnc(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What motion adds to the command is the same; the option is of no other format."""
+    errors = values(tmp_path)
+    added = []
+    for kind in ("0", "1"):
+        out = tmp_path / kind
+        assert export("linuxcnc-comp", out, "--comp-file-type", kind, machine=GANTRY, errors=errors) == 0
+        assert f"COMP_FILE_TYPE = {kind}" in (out / "joints.ini").read_text()
+        added.append(control_files.linuxcnc(out)["X", "X"])
+    np.testing.assert_allclose(added[0], added[1], atol=2e-7)
+    np.testing.assert_allclose(added[1][1], 1e-5 * added[1][0], atol=1e-7)
+    capsys.readouterr()
+    assert export("isg-csv", tmp_path / "x.csv", "--comp-file-type", "1", machine=GANTRY, errors=errors) == 2
+    assert "--comp-file-type: only linuxcnc-comp has types of files" in capsys.readouterr().err
+    assert not (tmp_path / "x.csv").exists()
+
+
 def test_the_files_agree_with_predict(tmp_path: Path) -> None:
     """Both commands, on a machine of which the tables hold everything at this point."""
     errors = values(tmp_path)

@@ -7,7 +7,8 @@ import pytest
 
 from tests.controllers.machines import GANTRY, model_of
 from tests.machines import ROOT
-from trueaxis.controllers.formats import FORMATS, TABLED, export_tables
+from trueaxis.controllers.formats import FORMATS, TABLED, Layout, export_tables
+from trueaxis.controllers.linuxcnc import FILE_TYPES
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 
@@ -22,8 +23,9 @@ def test_the_number_beside_the_sign(name: str) -> None:
     if name != "isg-csv":
         curves["EYX"] = PolynomialCurve(powers=(1,), coefficients=(-4e-5,))
     model = model_of(GANTRY, ErrorValues(machine="gantry", motion_errors=curves))
-    files = export_tables(name, model, np.zeros((3, 1)), 50.0, np.zeros((3, 1))).files
-    written = {" ".join(line.split()) for text in files.values() for line in text.splitlines()}
+    layouts = [Layout(file_type=kind) for kind in (FILE_TYPES if name == "linuxcnc-comp" else FILE_TYPES[:1])]
+    made = [export_tables(name, model, np.zeros((3, 1)), 50.0, np.zeros((3, 1)), layout).files for layout in layouts]
+    written = {" ".join(line.split()) for files in made for text in files.values() for line in text.splitlines()}
     blocks = re.findall(r"\n```\n(.*?)```", PAGES[name].read_text(), re.DOTALL)
     of_format = [block for block in blocks if name != "siemens-enc" or "ENC" in block]
     of_format = [block for block in of_format if name != "siemens-cec" or "CEC" in block]

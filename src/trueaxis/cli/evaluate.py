@@ -67,7 +67,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--feed", type=positive, metavar="MM_MIN", help="of a circular test, if DATA does not give it")
     parser.add_argument(
         "--map", type=key_value, action="extend", nargs="+", default=[], metavar="KEY=VALUE",
-        help="of a circular test: columns and units that the headers do not say, as import takes them",
+        help="columns and units that the headers of a table do not say, as import takes them: column.target=Soll",
     )  # fmt: skip
     parser.add_argument(
         "--diagonals", type=_length, nargs="+", default=[], metavar="AXIS=MM",

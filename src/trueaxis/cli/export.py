@@ -8,6 +8,7 @@ import numpy as np
 
 from trueaxis.cli.arguments import misfit_option, option, positive, size, tool_point, uncertain_option
 from trueaxis.controllers.formats import FORMATS
+from trueaxis.controllers.linuxcnc import FILE_TYPES
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.export import ExportOptions, exported
@@ -52,6 +53,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="point in the tool frame for which tables of single axes are made; for linuxcnc-kins the point from which "
         "tool lengths are measured, mm (0,0,0)",
     )  # fmt: skip
+    parser.add_argument(
+        "--comp-file-type", type=int, choices=FILE_TYPES,
+        help="COMP_FILE_TYPE of linuxcnc-comp: 0, where the joint really is (default); 1, what is added to the command",
+    )  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the tables")
     parser.add_argument(
@@ -89,7 +94,7 @@ def run(args: argparse.Namespace) -> int:
     inputs["the covariance of --errors"] = covariance_file(args.errors, model.errors)
     options = ExportOptions(
         step=args.step, max_u=args.max_u, max_correction=args.max_correction, accept_u=args.accept_u,
-        accept_worse=args.accept_worse, kernels=args.kernels,
+        accept_worse=args.accept_worse, kernels=args.kernels, file_type=args.comp_file_type,
     )  # fmt: skip
     tool = np.array(args.tool_point)[:, np.newaxis]
     try:

@@ -1,21 +1,36 @@
 """Every format by its name: which tables it has and how they are written."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
-from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, nodes, round_step
-from trueaxis.controllers.isg_csv import control_model, csv_text, motion_errors, reversed_axes
+from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, round_step
+from trueaxis.controllers.component_grids import taken_by_components
+from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
 from trueaxis.controllers.linuxcnc_kins import module_files
 from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
-from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
-from trueaxis.error_name import DIRECTIONS
+from trueaxis.controllers.remaining import Remaining, remaining, taken_by_tables
 from trueaxis.machine.machine import LINEAR
-from trueaxis.model.curves import Curve, FloatArray, TableCurve
+from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 
 ISG = "isg-csv"
+COMP = "linuxcnc-comp"
 KINS = "linuxcnc-kins"  # no table: the whole model, run by the control
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layout:
+    """How files are laid out, in the formats that leave it open.
+
+    comments: lines for the head of a file; file_type: of linuxcnc-comp, one of FILE_TYPES.
+    """
+
+    comments: Sequence[str] = ()
+    file_type: int = linuxcnc.ACTUAL
+
+
+AS_USUAL = Layout()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,12 +38,12 @@ class TableFormat:
     """A format of tables of single axes.
 
     pairs: (of, by) that it has, from the axes of a machine; write: name -> text, one name "" for a single file, from
-    tables, comments and whether the directions differ; digits: of a value, mm or deg; most_points: of a table, None
+    tables, the layout and whether the directions differ; digits: of a value, mm or deg; most_points: of a table, None
     where the control is set up for as many as there are; both_directions: whether it tells them apart.
     """
 
     pairs: Callable[[Sequence[str]], Sequence[tuple[str, str]]]
-    write: Callable[[Sequence[AxisTable], Sequence[str], bool], Mapping[str, str]]
+    write: Callable[[Sequence[AxisTable], Layout, bool], Mapping[str, str]]
     digits: int
     most_points: int | None = None
     both_directions: bool = False
@@ -65,12 +80,12 @@ def all_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
 TABLE_FORMATS: Mapping[str, TableFormat] = {
     "siemens-enc": TableFormat(
         pairs=own_pairs,
-        write=lambda tables, comments, _: {"": siemens.encoder_text(tables, comments)},
+        write=lambda tables, layout, _: {"": siemens.encoder_text(tables, layout.comments)},
         digits=siemens.DIGITS,
     ),
     "siemens-cec": TableFormat(
         pairs=cross_pairs,
-        write=lambda tables, comments, _: {"": siemens.sag_text(tables, comments)},
+        write=lambda tables, layout, _: {"": siemens.sag_text(tables, layout.comments)},
         digits=siemens.DIGITS,
     ),
     "heidenhain-com": TableFormat(
@@ -80,9 +95,9 @@ TABLE_FORMATS: Mapping[str, TableFormat] = {
         most_points=heidenhain.MOST_POINTS,
         both_directions=True,
     ),
-    "linuxcnc-comp": TableFormat(
+    COMP: TableFormat(
         pairs=own_pairs,
-        write=lambda tables, _, __: linuxcnc.comp_files(tables),
+        write=lambda tables, layout, _: linuxcnc.comp_files(tables, layout.file_type),
         digits=linuxcnc.DIGITS,
         most_points=linuxcnc.MOST_POINTS,
         both_directions=True,
@@ -137,21 +152,21 @@ def export_tables(
     tool: FloatArray,
     step: float | None,
     positions: FloatArray,
-    comments: Sequence[str] = (),
+    layout: Layout = AS_USUAL,
 ) -> Export:
-    """Make the files of a format of tables. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains;
-    comments: lines for the head of the file, where the format has room for them.
+    """Make the files of a format of tables. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what
+    remains.
     """
     if name == ISG:
         control = control_model(model, tool[:, 0], step)
-        left = remaining(model, tool, positions, _taken_by_model(model, tool, step))
-        return Export(files={"": csv_text(control, comments)}, remaining=left, chain=control.chain)
+        left = remaining(model, tool, positions, taken_by_components(model, tool, step))
+        return Export(files={"": csv_text(control, layout.comments)}, remaining=left, chain=control.chain)
     chosen = TABLE_FORMATS[name]
     made = axis_tables(model, tool, chosen.pairs(model.axes), step)
     tables = tuple(table.rounded(chosen.digits) for table in made)
     left = remaining(model, tool, positions, taken_by_tables(model, tables, both_directions=chosen.both_directions))
     differ = chosen.both_directions and any((table.forward != table.backward).any() for table in tables)
-    return Export(files=chosen.write(tables, comments, differ), remaining=left, tables=tables)
+    return Export(files=chosen.write(tables, layout, differ), remaining=left, tables=tables)
 
 
 def export_module(model: MachineModel, tool: FloatArray, positions: FloatArray, kernels: Mapping[str, bytes]) -> Export:
@@ -160,20 +175,3 @@ def export_module(model: MachineModel, tool: FloatArray, positions: FloatArray, 
     """
     left = remaining(model, tool, positions, taken_by_module(model, tool))
     return Export(files=module_files(model, tool, kernels), remaining=left)
-
-
-def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:
-    """What a control takes off that has the components at the nodes, interpolated on a straight line."""
-    curves: dict[str, Curve] = {}
-    for axis in model.axes:
-        at = nodes(model.travel[axis], step)
-        for direction, values in zip(DIRECTIONS, motion_errors(model, axis, at), strict=True):
-            if (name := direction.motion_error(axis)) in model.components:
-                curves[name] = TableCurve(positions=tuple(at.tolist()), values=tuple(values.tolist()))
-    parameters = dict(zip(model.parameters, model.parameter_values.tolist(), strict=True))
-    known = model.with_values(replace(model.errors, motion_errors=curves, parameters=parameters, effects=()))
-
-    def taken(at: FloatArray, _: FloatArray) -> FloatArray:
-        return known.correction(at, known.deviation(at, tool))
-
-    return taken

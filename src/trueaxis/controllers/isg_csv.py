@@ -13,28 +13,32 @@ are those of this chain, so that workpiece_axes stays 0, and no location errors 
 All of it to first order in the errors, as the control's model is.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from trueaxis.controllers.axis_tables import approached, nodes, plain
+from trueaxis.controllers.axis_tables import plain
+from trueaxis.controllers.component_grids import grid_of, motion_errors
 from trueaxis.error_name import DIRECTIONS
 from trueaxis.machine.machine import AXES, BED, LINEAR, Body
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
 
 MM_DIGITS, RAD_DIGITS, POSITION_DIGITS = 7, 12, 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ComponentTable:
-    """The six errors of an axis, rows EX EY EZ (mm) EA EB EC (rad) by (6, n), at its positions (n,), mm or deg."""
+    """The six errors of an axis, rows EX EY EZ (mm) EA EB EC (rad) by (6, n), at its positions (n,), mm or deg.
+
+    beside: positions (n,) of other axes on which they depend too, by letter; then these and its own are a grid.
+    """
 
     axis: str
     positions: FloatArray
     errors: FloatArray
+    beside: Mapping[str, FloatArray] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -88,16 +92,17 @@ def csv_text(control: ControlModel, notes: Sequence[str] = ()) -> str:
     """The text of the file: a block for points, then one for each axis, with `#` between them."""
     blocks = ["".join(f"// {note}\n" for note in notes) + _points(control)]
     for table in control.tables:
-        head = " ".join([table.axis, *(direction.motion_error(table.axis) for direction in DIRECTIONS)])
+        arguments = {**table.beside, table.axis: table.positions}
+        head = " ".join([*arguments, *(direction.motion_error(table.axis) for direction in DIRECTIONS)])
         rows = [
-            " ".join([plain(at, POSITION_DIGITS), *(_cell(value, row) for row, value in enumerate(errors))])
-            for at, errors in zip(table.positions, table.errors.T, strict=True)
+            " ".join([*(plain(one, POSITION_DIGITS) for one in at), *(_cell(*cell) for cell in enumerate(errors))])
+            for *at, errors in zip(*arguments.values(), table.errors.T, strict=True)
         ]
         blocks.append("\n".join([head, *rows]) + "\n")
     return "#\n".join(blocks)
 
 
-def _cell(value: float, row: int) -> str:
+def _cell(row: int, value: float) -> str:
     return plain(value, MM_DIGITS if row < 3 else RAD_DIGITS)
 
 
@@ -130,9 +135,9 @@ def _table(
     model: MachineModel, body: Body, at: FloatArray, step: float | None, inverse: bool, before: FloatArray
 ) -> ComponentTable:
     """The errors behind the motion of an axis in the chain. before: (6,), errors that act before its motion as well."""
-    axis = str(body.moves)
-    positions = nodes(model.travel[axis], step)
-    own = motion_errors(model, axis, positions)
+    grid = grid_of(model, str(body.moves), step)
+    *beside, positions = grid.positions
+    own = motion_errors(model, grid.arguments, grid.positions)
     own[:3] -= np.cross(own[3:].T, at).T  # about the common origin
     joint = _motions(body, positions, at)
     own += _expressed(_location_errors(model, body, at)[:, np.newaxis], joint, behind=True)
@@ -140,27 +145,8 @@ def _table(
         own = -_expressed(own, joint, behind=False)
     # behind the motion of the chain, which on the workpiece side is the inverse of the joint
     own += _expressed(before[:, np.newaxis], joint, behind=not inverse)
-    return ComponentTable(axis=axis, positions=positions, errors=own)
-
-
-def motion_errors(model: MachineModel, axis: str, positions: FloatArray) -> FloatArray:
-    """(6, n): the error components of an axis in its body's frame, mean of both directions of approach, mm and rad.
-
-    positions: (n,), mm or deg; the other axes are at home.
-    """
-    row = model.axes.index(axis)
-    everywhere = np.repeat(home_of(model), positions.size, axis=1)
-    everywhere[row] = positions
-    found = np.zeros((6, positions.size))
-    for sign in (1.0, -1.0):
-        directions = np.zeros(len(model.axes))
-        directions[row] = sign
-        errors = model.in_context(approached(model, positions.size, directions)).component_errors(everywhere)
-        for index, direction in enumerate(DIRECTIONS):
-            name = direction.motion_error(axis)
-            if name in model.components:
-                found[index] += errors[model.components.index(name)] / 2.0
-    return found
+    others = dict(zip(grid.arguments[:-1], beside, strict=True))
+    return ComponentTable(axis=grid.arguments[-1], positions=positions, errors=own, beside=others)
 
 
 def _location_errors(model: MachineModel, body: Body, at: FloatArray) -> FloatArray:

@@ -138,7 +138,7 @@ def _check(columns: Mapping[str, tuple[int, Heading]], ballbar: bool, faults: Fa
         right = "a column reading, deviation or error, or measured beside target; --map column.reading=NAME"
         faults.add("", "has no readings", right)
     if "target" not in columns and not axes:
-        faults.add("", "has no positions", "a column target, or one per axis; --map column.target=NAME")
+        faults.add("", "has no positions", "a column target (ball bar: angle) or X, Y, ...; --map column.target=NAME")
 
 
 def _dimension(name: str) -> Dimension | None:

@@ -1,5 +1,9 @@
-"""A positioning test from whichever file has one: of ISO 230-2, or a .rtl file of runs over its targets."""
+"""A positioning test from whichever file has one: of ISO 230-2, a .rtl file of runs over its targets, or a table whose
+columns the user names.
+"""
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +18,12 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     too_few,
 )
 from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
+from trueaxis.instrument_files.csv_file import read_csv
 from trueaxis.instrument_files.rtl_file import ANGLES, is_rtl, read_rtl
+from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, Faults, InputError
-from trueaxis.io.input_files import input_bytes
+from trueaxis.io.input_files import gathering, input_bytes
+from trueaxis.measurement.instrument_run import DirectionArray, InstrumentRun
 
 
 def positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
@@ -24,6 +31,33 @@ def positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_
     if not is_rtl(input_bytes(path)):
         return read_positioning_test(path, unit, fewest_cycles)
     return _of_rtl(path, unit, fewest_cycles)
+
+
+def mapped_test(
+    path: Path, given: Mapping[str, str], unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES
+) -> PositioningTest:
+    """Read a table whose columns and units the user names, by keys as `read_csv` takes them; cycles are counted by
+    approaches, as of a .rtl file. Raises InputError with every fault.
+    """
+    keys, found = UserKeys(given=given), list[Fault]()
+    runs: Sequence[InstrumentRun] = ()
+    with gathering(found):
+        runs = read_csv(path, keys)
+    found += [*keys.unknown(), *keys.faults, *(one.fault for one in keys.questions)]
+    found += [] if found else keys.unused()
+    if len(runs) > 1:
+        found.append(Fault(str(path), "", f"has {len(runs)} runs", "a file of one test"))
+    if found:
+        raise InputError(found)
+    (run,) = runs
+    if (run.instrument == "angle") != (unit == "deg"):
+        problem = f"has {'angles' if run.instrument == 'angle' else 'lengths'}"
+        raise InputError([Fault(str(path), "", problem, "of a rotary axis angles, else lengths")])
+    if run.targets is None:
+        raise InputError([Fault(str(path), "", "has no targets", "--map column.target=NAME")])
+    if unit == "deg":
+        run = replace(run, reading=np.degrees(run.reading))
+    return _of_run(run, _Places(targets="column target", readings="readings"), unit, fewest_cycles)
 
 
 def positioning_tests(path: Path, fewest_cycles: int = FEWEST_CYCLES) -> dict[str, PositioningTest]:
@@ -34,34 +68,57 @@ def positioning_tests(path: Path, fewest_cycles: int = FEWEST_CYCLES) -> dict[st
 
 
 def _of_rtl(path: Path, unit: Unit, fewest_cycles: int) -> PositioningTest:
-    """The k-th approach of a target in a direction is of cycle k."""
     if path.suffix.lower() == ANGLES or unit != "mm":
         problem = "has angles, of an unknown unit" if path.suffix.lower() == ANGLES else "has lengths, not angles"
         raise InputError([Fault(str(path), "", problem, "of a rotary axis a table with units is evaluated")])
-    run, faults = read_rtl(path), Faults(str(path))
+    return _of_run(read_rtl(path), _Places(targets="TARGET DATA", readings="DEVIATIONS"), unit, fewest_cycles)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Places:
+    """Where in its file faults of the targets and of the readings are."""
+
+    targets: str
+    readings: str
+
+
+def _of_run(run: InstrumentRun, at: _Places, unit: Unit, fewest_cycles: int) -> PositioningTest:
+    """The k-th approach of a target in a direction is of cycle k; readings in `unit`."""
+    faults = Faults(run.file)
     targets, directions = run.targets, run.directions
-    assert targets is not None  # of a .rtl file both are there
+    assert targets is not None  # of such a file both are there
     assert directions is not None
     positions = np.unique(targets)
     if positions.size > MOST_TARGETS:
-        faults.add("TARGET DATA", f"has {positions.size} targets", f"at most {MOST_TARGETS}")
+        faults.add(at.targets, f"has {positions.size} targets", f"at most {MOST_TARGETS}")
     elif problem := too_few("target", positions.size):
-        faults.add("TARGET DATA", problem)
+        faults.add(at.targets, problem)
     largest = float(np.abs(run.reading).max())
     if largest > LARGEST_DEVIATION:
-        faults.add("DEVIATIONS", f"one is {largest:.6g} mm", f"at most {LARGEST_DEVIATION:g} mm, in um")
+        faults.add(at.readings, f"one is {largest:.6g} {unit}", f"at most {LARGEST_DEVIATION:g} {unit}")
     if (directions == 0).any():
         problem = "has a run over its targets that does not go one way"
-        faults.add("DEVIATIONS", problem, "targets in their order, or back")
+        faults.add(at.readings, problem, "targets in their order, or back")
     faults.raise_if_any()
+    _check_counts(targets, directions, at, faults)
     up, down = (_approaches(targets[directions == way], run.reading[directions == way], positions) for way in (1, -1))
     if up.shape != down.shape:
         there = f"{up.shape[1]} runs in the positive direction and {down.shape[1]} in the negative one"
-        faults.add("DEVIATIONS", f"has {there}", "as many in each: a bidirectional test")
+        faults.add(at.readings, f"has {there}", "as many in each: a bidirectional test")
     elif problem := too_few("cycle", up.shape[1], float(np.ptp(positions)), unit, fewest_cycles):
-        faults.add("DEVIATIONS", problem)
+        faults.add(at.readings, problem)
     faults.raise_if_any()
-    return PositioningTest(positions, positions[:, np.newaxis] + up, positions[:, np.newaxis] + down)
+    return PositioningTest(positions, positions[:, np.newaxis] + up, positions[:, np.newaxis] + down, unit)
+
+
+def _check_counts(targets: FloatArray, directions: DirectionArray, at: _Places, faults: Faults) -> None:
+    """Raises InputError where a target was not approached as often as the others in its direction."""
+    for way, name in ((1, "positive"), (-1, "negative")):
+        found, counts = np.unique(targets[directions == way], return_counts=True)
+        if found.size and (found.size < np.unique(targets).size or np.ptp(counts) > 0):
+            problem = f"not all targets were approached equally often in the {name} direction"
+            faults.add(at.readings, problem, "every target in every cycle, in both directions")
+    faults.raise_if_any()
 
 
 def _approaches(targets: FloatArray, readings: FloatArray, positions: FloatArray) -> FloatArray:

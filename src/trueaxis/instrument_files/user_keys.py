@@ -146,7 +146,7 @@ class RunKeys:
 
     def wrong(self, key: str, value: str, right: str) -> None:
         """Note a value that is wrong."""
-        problem = f'"{shown(value, LONGEST_SHOWN)}" of --map is not right'
+        problem = f'"{shown(value, LONGEST_SHOWN)}" is not right'  # of --map, or typed at a terminal
         self.keys.faults.append(Fault(self.file, f"run {self.run}, {key}", problem, right))
         self.keys.wrong.add(f"{self.run}:{key}")
 

@@ -11,14 +11,20 @@ import numpy as np
 
 from trueaxis.evaluation.iso230_2.evaluation import Repeatability
 from trueaxis.evaluation.iso230_2.evaluation import evaluate as evaluate_positioning
-from trueaxis.evaluation.iso230_2.positioning_test import FEWEST_CYCLES, LARGEST_DEVIATION, PositioningTest, too_few
+from trueaxis.evaluation.iso230_2.positioning_test import (
+    FEWEST_CYCLES,
+    LARGEST_DEVIATION,
+    PositioningTest,
+    Unit,
+    too_few,
+)
 from trueaxis.evaluation.iso230_4.circular_test import circular_test
 from trueaxis.evaluation.iso230_4.contributions import contributions
 from trueaxis.evaluation.iso230_4.figures import circular_figures
 from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, diagonal_test
 from trueaxis.evaluation.iso230_6.figures import diagonal_figures
-from trueaxis.instrument_files.csv_file import read_csv
-from trueaxis.instrument_files.positioning import positioning_test, positioning_tests
+from trueaxis.instrument_files.csv_file import OF_BALL_BAR, read_csv
+from trueaxis.instrument_files.positioning import mapped_test, positioning_test, positioning_tests
 from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, InputError
@@ -68,10 +74,10 @@ def evaluate(
     repeatability "iso", the standard's R, or "unidirectional", the larger R of the two directions; swap_directions:
     readings labelled forward were approached in the negative direction; rotary: the files are of a rotary axis, in deg
     (arrays have `PositioningTest.unit`). Of a circular test: plane, such as "XY", angles count from the first axis to
-    the second; radius: nominal length of the bar, mm; feed: mm/min, if no file has it; keys: columns and units that the
-    headers do not give, as in `import_readings`. Of a diagonal test: diagonals, how far each axis goes along one of
-    them, mm, by letter, two axes or three; repeatability and swap_directions. Raises InputError with every fault, also
-    for arguments of the other kind of test; ValueError for arguments of another form.
+    the second; radius: nominal length of the bar, mm; feed: mm/min, if no file has it. Of both: keys, columns and units
+    that the headers do not give, as in `import_readings`. Of a diagonal test: diagonals, how far each axis goes along
+    one of them, mm, by letter, two axes or three; repeatability and swap_directions. Raises InputError with every
+    fault, also for arguments of the other kind of test; ValueError for arguments of another form.
     """
     if repeatability not in get_args(Repeatability):
         raise ValueError(
@@ -117,7 +123,7 @@ def evaluated(
         return _diagonals(runs, " ".join(map(str, paths)), options, spelled)
     for path in paths:
         with gathering(faults):
-            circles.append(recognised(path) == "ballbar-csv")
+            circles.append(_is_circle(path, options.keys))
     if faults:
         raise InputError(faults)
     if any(circles) != all(circles) or (len(paths) > 1 and not circles[0]):
@@ -129,14 +135,31 @@ def evaluated(
     return _circular(paths, options, spelled) if circles[0] else _positioning(paths[0], str(paths[0]), options, spelled)
 
 
+def _is_circle(path: Path, keys: Mapping[str, str]) -> bool:
+    """Whether a file is of a ball bar: by its heads, or because the user says which column has angles or radii.
+
+    Raises InputError where it is of no known kind.
+    """
+    found = recognised(path)
+    named = {key.rpartition(":")[2] for key in keys}
+    return found == "ballbar-csv" or (found == "csv" and any(f"column.{name}" in named for name in OF_BALL_BAR))
+
+
 def _positioning(
     data: Path | PositioningTest, source: str, options: EvaluateOptions, spelled: Spelled
 ) -> EvaluatedPositioning:
-    unfit = [name for name in ("plane", "radius", "feed", "keys") if getattr(options, name)]
+    unfit = [name for name in ("plane", "radius", "feed") if getattr(options, name)]
     if unfit:
         problem = f"{source} is a positioning test"
         raise InputError([Fault(spelled(name), "", problem, "leave it out: it is of circular tests") for name in unfit])
-    test = positioning_test(data, "deg" if options.rotary else "mm") if isinstance(data, Path) else data
+    if options.keys and not (isinstance(data, Path) and recognised(data) == "csv"):
+        problem = f"{source} names its columns and units itself"
+        raise InputError([Fault(spelled("keys"), "", problem, "leave it out: it is of tables with other names")])
+    unit: Unit = "deg" if options.rotary else "mm"
+    if isinstance(data, Path):
+        test = mapped_test(data, options.keys, unit) if options.keys else positioning_test(data, unit)
+    else:
+        test = data
     test = test.swapped() if options.swap_directions else test
     return EvaluatedPositioning(source=source, evaluation=evaluate_positioning(test, options.repeatability))
 

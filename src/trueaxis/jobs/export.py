@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.compensation.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, KINS, Export, export_module, export_tables, problem_of
+from trueaxis.controllers.formats import COMP, FORMATS, KINS, Export, Layout, export_module, export_tables, problem_of
+from trueaxis.controllers.linuxcnc import ACTUAL, FILE_TYPES
 from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND, taken_by_module
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError, RefusedError
@@ -77,7 +78,9 @@ class Exported(Printed):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExportOptions:
-    """As the arguments of `export`; kernels: folder whose files nothing may be written over."""
+    """As the arguments of `export`; kernels: folder whose files nothing may be written over; file_type: COMP_FILE_TYPE,
+    None where it is not given.
+    """
 
     step: float | None = None
     max_u: float | None = None
@@ -85,6 +88,7 @@ class ExportOptions:
     accept_u: bool = False
     accept_worse: bool = False
     kernels: Path | None = None
+    file_type: int | None = None
 
 
 def export(
@@ -100,6 +104,7 @@ def export(
     accept_misfit: bool = False,
     accept_u: bool = False,
     accept_worse: bool = False,
+    comp_file_type: int | None = None,
 ) -> Exported:
     """Write error values as tables that a control reads; docs/controllers has the formats, with their sources.
 
@@ -110,13 +115,16 @@ def export(
     the lengths of tools, mm. max_u: largest standard
     uncertainty of the tool point over the travel, mm; max_correction: largest deviation, mm (three times what [prior]
     expects). accept_misfit, accept_u: accept values that do not fit their readings, or that are smaller than their
-    noise; accept_worse: accept tables with which the error is larger than without them.
+    noise; accept_worse: accept tables with which the error is larger than without them. comp_file_type: of
+    "linuxcnc-comp", 0 (where the joint really is, the default) or 1 (what is added to the command).
 
     Raises RefusedError if a limit is exceeded, InputError if the machine cannot be exported, values are a misfit or
     `out` is an input; ValueError for arguments of another form.
     """
     if format not in FORMATS:
         raise ValueError(f"format: expected one of {', '.join(FORMATS)}; given {format!r}")
+    if comp_file_type not in (None, *FILE_TYPES):
+        raise ValueError(f"comp_file_type: expected 0 or 1; given {comp_file_type!r}")
     above_zero(step=step, max_correction=max_correction)
     at_least_zero(max_u=max_u)
     point = tool_points(tool, 1)
@@ -124,7 +132,7 @@ def export(
     check_fit(errors.values, name_of(errors), accept_misfit)
     options = ExportOptions(
         step=step, max_u=max_u, max_correction=max_correction, accept_u=accept_u, accept_worse=accept_worse,
-        kernels=kernels_of(model),
+        kernels=kernels_of(model), file_type=comp_file_type,
     )  # fmt: skip
     inputs = {"the spec": model.machine.source, **files_of(errors)}
     return exported(model, errors.covariance, format, None if out is None else Path(out), point, options, inputs)
@@ -141,10 +149,15 @@ def exported(
     spelled: Spelled = argument,
 ) -> Exported:
     """As `export`; model: with error values; tool: (3, 1); inputs: what nothing may be written over, by its name."""
+    found = []
     if problem := problem_of(name, model, options.step):
-        raise InputError([Fault(str(model.machine.source or model.name), f"{spelled('format')} {name}", problem)])
+        found.append(Fault(str(model.machine.source or model.name), f"{spelled('format')} {name}", problem))
+    if options.file_type is not None and name != COMP:
+        found.append(Fault(f"{spelled('format')} {name}", spelled("comp_file_type"), f"only {COMP} has types of files"))
+    if found:
+        raise InputError(found)
     positions = travel_positions(model, covariance)
-    made = _made(name, model, tool, options.step, positions)
+    made = _made(name, model, tool, options, positions)
     contents = _contents(out, made)
     outputs: dict[str, Path | None] = {f"{path.name} of {spelled('out')}": path for path in contents}
     if found := overwritten(inputs, outputs, options.kernels):
@@ -174,10 +187,11 @@ def exported(
     return done
 
 
-def _made(name: str, model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray) -> Export:
+def _made(name: str, model: MachineModel, tool: FloatArray, options: ExportOptions, positions: FloatArray) -> Export:
     """The files of a format, and what remains with them."""
     if name != KINS:
-        return export_tables(name, model, tool, step, positions, head_lines(name, model))
+        layout = Layout(comments=head_lines(name, model), file_type=options.file_type or ACTUAL)
+        return export_tables(name, model, tool, options.step, positions, layout)
     folder = Path(model.kernels.module.__file__ or "").parent
     spec = model.machine.source or f"{model.name}.toml"
     kernels = verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")

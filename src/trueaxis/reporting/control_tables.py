@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from trueaxis.controllers.component_grids import arguments_of
 from trueaxis.controllers.formats import ISG, KINS, TABLE_FORMATS, Export
 from trueaxis.controllers.remaining import Remaining, directed_effects, untabled_effects
 from trueaxis.machine.machine import LINEAR
@@ -83,7 +84,12 @@ def export_sentences(name: str, model: MachineModel, export: Export) -> list[str
             for table in export.tables
             if table.of == table.by and table.reversal
         ]
-    if name != KINS and any(values.effect.axis is not None for values in model.effect_values):
+    if name == ISG:
+        for axis in model.axes:
+            *others, own = arguments_of(model, axis)
+            if others:
+                found.append(f"errors of {own} also depend on {' and '.join(others)}, and are written as a grid")
+    if name in TABLE_FORMATS and any(values.effect.axis is not None for values in model.effect_values):
         found.append("effects of a second axis are in it as they are where that axis is at home")
     if name == KINS and (labels := directed_effects(model)):
         found.append(f"in the module as the mean of both directions of approach: {_listed(labels)}")

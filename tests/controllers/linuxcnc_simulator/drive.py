@@ -43,7 +43,7 @@ def stood(status: linuxcnc.stat, seconds: float) -> list[tuple[list[float], list
 
 def main() -> None:
     asked = json.loads(Path("commands.json").read_text())
-    count = asked["joints"]
+    count, pins = asked["joints"], PINS if asked["module"] else ()
     status, command, errors = linuxcnc.stat(), linuxcnc.command(), linuxcnc.error_channel()
     component = hal.component("drive")
     component.ready()
@@ -79,7 +79,10 @@ def main() -> None:
             command.wait_complete(60)
         wait(polled(lambda: at_rest(status)), 60, word)
         time.sleep(0.02)  # a tool's length reaches the pin with the next cycle
-        wait(lambda: hal.get_value("trueaxiskins.settled"), 10, f"the ramp after {word}")
+        if asked["module"]:
+            wait(lambda: hal.get_value("trueaxiskins.settled"), 10, f"the ramp after {word}")
+        else:
+            time.sleep(0.3)  # corrections of a table come with a ramp that no pin tells of
         time.sleep(0.02)
         status.poll()
         done.append(
@@ -89,7 +92,7 @@ def main() -> None:
                 "joints": status.joint_position[:count],
                 "deepest": min(stands, key=lambda one: one[0][2], default=None),
                 "tool": status.tool_offset[:3],
-                "pins": {name: hal.get_value(f"trueaxiskins.{name}") for name in PINS},
+                "pins": {name: hal.get_value(f"trueaxiskins.{name}") for name in pins},
                 "on": status.task_state == linuxcnc.STATE_ON,
             }
         )

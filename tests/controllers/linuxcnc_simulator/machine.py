@@ -51,7 +51,7 @@ ANGULAR_UNITS = degree
 DEFAULT_LINEAR_VELOCITY = 500
 MAX_LINEAR_VELOCITY = 2000
 [KINS]
-KINEMATICS = trueaxiskins coordinates={letters}
+KINEMATICS = {kinematics} coordinates={letters}
 JOINTS = {count}
 """
 AXIS = """[AXIS_{axis}]
@@ -113,12 +113,33 @@ def installed(sources: Path) -> Iterator[str]:
         target.unlink(missing_ok=True)
 
 
-def run(name: str, travel: Mapping[str, tuple[float, float]], hal: str, tools: str, commands: Sequence[str]) -> Session:
-    """Write the configuration and run it; the module is installed. travel: by axis, joints in this order."""
+def run(
+    name: str,
+    travel: Mapping[str, tuple[float, float]],
+    hal: str,
+    tools: str,
+    commands: Sequence[str],
+    tables: Mapping[str, str] | None = None,
+) -> Session:
+    """Write the configuration and run it; the module is installed. travel: by axis, joints in this order. tables: the
+    files of linuxcnc-comp by name, which are loaded instead of the module, with kinematics of LinuxCNC's own.
+    """
     with tempfile.TemporaryDirectory() as made:
         Path(made).chmod(0o777)  # the real-time part, which is nobody's, makes its pipe there
-        _configure(Path(made), name, travel, hal, tools, commands)
+        _configure(Path(made), name, travel, hal, tools, commands, module=tables is None)
+        _load(Path(made), tables or {})
         return _run(Path(made))
+
+
+def _load(folder: Path, tables: Mapping[str, str]) -> None:
+    """As the page of linuxcnc-comp says: the tables beside the INI file, the lines of joints.ini in its sections."""
+    ini = (folder / "sim.ini").read_text()
+    for block in tables.get("joints.ini", "").strip().split("\n\n"):
+        section = block.partition("\n")[0]
+        ini = ini.replace(f"{section}\n", f"{block}\n") if section else ini
+    (folder / "sim.ini").write_text(ini)
+    for file, content in tables.items():
+        (folder / file).write_text(content)
 
 
 def _configure(
@@ -128,9 +149,12 @@ def _configure(
     hal: str,
     tools: str,
     commands: Sequence[str],
+    *,
+    module: bool,
 ) -> None:
     axes = "".join(travel)
-    text = INI.format(name=name, letters=axes, spaced=" ".join(axes), count=len(axes))
+    kinematics = Path(SOURCE).stem if module else "trivkins"
+    text = INI.format(name=name, kinematics=kinematics, letters=axes, spaced=" ".join(axes), count=len(axes))
     for joint, (axis, (low, high)) in enumerate(travel.items()):
         kind, room = ("LINEAR", 5.0) if axis in "XYZ" else ("ANGULAR", 0.0)
         text += AXIS.format(
@@ -147,7 +171,7 @@ def _configure(
     for n in range(len(axes)):
         links += f"net j{n} joint.{n}.motor-pos-cmd => joint.{n}.motor-pos-fb sampler.0.pin.{n}\n"
     files = {"sim.ini": text, "sim.hal": HAL + links, "trueaxiskins.hal": hal, "tool.tbl": tools}
-    files["commands.json"] = json.dumps({"joints": len(axes), "commands": list(commands)})
+    files["commands.json"] = json.dumps({"joints": len(axes), "module": module, "commands": list(commands)})
     for file, content in files.items():
         (folder / file).write_text(content)
     shutil.copy(DRIVE, folder / "drive.py")

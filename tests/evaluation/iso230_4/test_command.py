@@ -50,6 +50,23 @@ def test_report_json_and_picture(files: list[str], tmp_path: Path, capsys: pytes
     assert "squareness        XY" in text
 
 
+def test_a_table_of_other_names(files: list[str], tmp_path: Path) -> None:
+    """Columns that --map names make it a circle, as those of import's own names do."""
+    for file in files:
+        table = Path(file).read_text()
+        for ours, theirs in (("angle", "Winkel"), ("radius", "Laenge"), ("deviation", "Abweichung")):
+            table = table.replace(ours, theirs)
+        (tmp_path / f"n{Path(file).name}").write_text(table)
+    one, two = (str(tmp_path / name) for name in ("nccw.csv", "ncw.csv"))
+    keys = ["nccw:column.angle=Winkel [deg]", "nccw:column.radius=Laenge [mm]", "ncw:column.angle=Winkel (deg)",
+            "ncw:column.reading=Abweichung (um)"]  # fmt: skip
+    for name, words in (("named", [one, two, "--map", *keys]), ("own", files)):
+        assert main(["evaluate", *words, *OPTIONS, "--feed", "1000", "--out", str(tmp_path / f"{name}.json")]) == 0
+    found, right = (json.loads((tmp_path / f"{name}.json").read_text()) for name in ("named", "own"))
+    assert found["errors"] == right["errors"]
+    assert found["G_b"] == right["G_b"]
+
+
 def test_what_the_files_do_not_say_is_asked_for(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["evaluate", files[0]]) == 2
     errors = capsys.readouterr().err

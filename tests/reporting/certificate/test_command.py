@@ -1,6 +1,7 @@
 """trueaxis report: what it writes and refuses."""
 
 import json
+import re
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -75,7 +76,10 @@ def test_the_page_says_what_the_values_rest_on(tmp_path: Path, capsys: pytest.Ca
     assert said[said.index("machine serial") + 1] == "77-1"
     assert said[said.index("readings") + 1] == "340 in 12 runs, data folder shop; 2 left out as outliers"
     assert "could not be judged" in said[said.index("fit") + 1]
-    assert "ballbar centre 0.1 um from 3 values (usual 50 um)" in said[said.index("instruments") + 1]
+    um = "\N{NO-BREAK SPACE}\N{MICRO SIGN}m"
+    assert f"ballbar centre 0.1{um} from 3 values (usual 50{um})" in said[said.index("instruments") + 1]
+    assert f"laser 0.42{um}" in said[said.index("noise of a reading") + 1]
+    assert not re.search(r"\d u(m|rad)\b", " ".join(said))  # one spelling of units on a page
     assert main([*arguments, str(tmp_path / "r.pdf")]) == 2
     assert "ends in .html" in capsys.readouterr().err
     assert not (tmp_path / "r.pdf").exists()

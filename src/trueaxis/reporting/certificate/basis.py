@@ -6,7 +6,7 @@ from trueaxis.identification.words import enumerated, small
 from trueaxis.model.errors import Fit
 from trueaxis.model.origin import Origin
 from trueaxis.reporting.certificate.content import Content
-from trueaxis.reporting.diagnosis.quantity import quantity
+from trueaxis.reporting.diagnosis.quantity import quantity, with_own_sign
 from trueaxis.reporting.diagnosis.tables import Table
 
 CAPTION = "What these values rest on"
@@ -46,7 +46,7 @@ def _of_readings(origin: Origin) -> list[tuple[str, str]]:
     rows = [(key, text) for key, text in origin.report.items()]
     rows.append(("readings", f"{origin.readings} in {origin.runs} runs, data folder {origin.folder}{out}"))
     rows.append(("method", f"identify --method {origin.method}"))
-    return [*rows, ("noise of a reading", "; ".join(noise) or "not known")]
+    return [*rows, ("noise of a reading", with_own_sign("; ".join(noise)) or "not known")]
 
 
 def _usual(content: Content, origin: Origin) -> list[tuple[str, str]]:
@@ -63,7 +63,7 @@ def _usual(content: Content, origin: Origin) -> list[tuple[str, str]]:
     return [
         (
             "instruments",
-            f"the readings make these unknowns far smaller than usual: {'; '.join(sizes)}. u on this page "
-            f"counts by these sizes; by the usual ones it is larger{by_these}",
+            f"the readings make these unknowns far smaller than usual: {with_own_sign('; '.join(sizes))}. u on this "
+            f"page counts by these sizes; by the usual ones it is larger{by_these}",
         )
     ]

@@ -35,6 +35,7 @@ _ASCII = str.maketrans(
         "\N{SUPERSCRIPT TWO}": "2",
     }
 )
+_PLAIN_UNIT = re.compile(r"(?<=\d) u(m|rad)\b")
 _MINUS = str.maketrans("-", "\N{MINUS SIGN}")
 _RAISED = str.maketrans(
     "-0123456789",
@@ -44,6 +45,11 @@ _RAISED = str.maketrans(
 )
 _LOWERED = {raised: chr(plain) for plain, raised in _RAISED.items()}
 _TIMES_TEN = f"{NBSP}\N{MULTIPLICATION SIGN}{NBSP}10"
+
+
+def with_own_sign(text: str) -> str:
+    """A text made for a console: `0.3 um` and `2 urad` with the units' own sign."""
+    return _PLAIN_UNIT.sub(rf"{NBSP}{MICRO}\1", text)
 
 
 def shown_in(size: float, unit: str) -> tuple[float, str]:

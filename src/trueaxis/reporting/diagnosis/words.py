@@ -12,7 +12,15 @@ from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import ErrorName
 from trueaxis.identification.words import enumerated
-from trueaxis.reporting.diagnosis.quantity import NBSP, UM, micrometres, probability, quantity, with_expanded, written
+from trueaxis.reporting.diagnosis.quantity import (
+    NBSP,
+    micrometres,
+    probability,
+    quantity,
+    with_expanded,
+    with_own_sign,
+    written,
+)
 from trueaxis.reporting.diagnosis.structures import check_name
 
 TITLES: dict[Verdict, str] = {
@@ -108,7 +116,7 @@ def in_words(text: str, kinds: Iterable[str]) -> str:
         return match.group(1).replace("_", " ") + (" in " if match.group(2) else "")
 
     text = re.sub(rf"\b({names})\b( (?=E[A-Z0-9]{{2,3}}\b))?", spoken, text)
-    return re.sub(r"(?<=\d) um\b", f"{NBSP}{UM}", text)
+    return with_own_sign(text)
 
 
 def headline(diagnosis: Diagnosis) -> str:
