@@ -30,13 +30,14 @@ class Swap:
 
 def swap_ratios(fitted: Fitted, posterior: Posterior) -> dict[Swap, float]:
     """Of every two runs that could have each other's readings: logarithm of how much likelier they are swapped, by the
-    noise and sizes of the state. posterior: of what is fitted.
+    noise and sizes of the state. posterior: of what is fitted. None without a prior: errors that are held at zero then
+    make readings likelier in the wrong place.
 
     As for a single run (`misread.log_ratios`), with P the inverse of the covariance of the whitened readings, c the
     change of both runs by the swap and r = P (y - p) what is left of them, the logarithm is -(2 c' r + c' P c) / 2.
     """
     found: dict[Swap, float] = {}
-    for members in _alike(fitted):
+    for members in () if fitted.sizes.flat else _alike(fitted):
         pairs = [pair for pair in combinations(members, 2) if _differ(*(fitted.state.runs[one] for one in pair))]
         partners = np.bincount(np.ravel(pairs), minlength=len(fitted.state.runs)) if pairs else np.zeros(0)
         told = {one: _told(fitted, posterior, one, members) for one in sorted({one for pair in pairs for one in pair})}
@@ -115,11 +116,11 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
 
 def likely_pairs(fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted]) -> list[Swap]:
     """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, by an estimate
-    without it; places are indices.
+    without it; places are indices. None without a prior.
     """
     found: dict[tuple[int, int], Swap] = {}
-    runs = fitted.state.runs
-    for one in (run for run in runs if run.rows.index in wrong[:MOST_WRONG]):
+    runs, few = fitted.state.runs, () if fitted.sizes.flat else wrong[:MOST_WRONG]
+    for one in (run for run in runs if run.rows.index in few):
         others = [run for run in runs if run is not one]
         partners = [run for run in others if run.instrument == one.instrument and run.rows.run != one.rows.run]
         if not partners:
