@@ -42,11 +42,18 @@ def package_of(module: str) -> str:
     return [*module.split("."), ""][1]
 
 
-def imported(module: str, *, lazily: bool) -> Iterator[str]:
+@cache
+def imported(module: str, *, lazily: bool) -> tuple[str, ...]:
+    return tuple(_imported(module, lazily=lazily))
+
+
+def _imported(module: str, *, lazily: bool) -> Iterator[str]:
     """Modules that a module's text imports, as full names; `lazily`: also inside functions. Type checking is no use."""
 
     def statements(node: ast.AST) -> Iterator[ast.AST]:
         for child in ast.iter_child_nodes(node):
+            if isinstance(child, ast.expr):  # no import is in one
+                continue
             if isinstance(child, ast.If) and ast.unparse(child.test) == "TYPE_CHECKING":
                 continue
             if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef) and not lazily:

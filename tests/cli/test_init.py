@@ -1,6 +1,7 @@
 """trueaxis init: a spec that the other commands take, and nothing that was there before lost."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +29,9 @@ def test_the_machine_is_that_of_the_structure_code(tmp_path: Path) -> None:
     short += "[axis.Y]\ntravel = [0.0, 400.5]\nsense = -1\n[axis.Z]\ntravel = [-150.0, 0.0]\n"
     assert machine.digest == machine_of(short).digest
     assert "# sense = -1" in path.read_text().split("[axis.C]")[1]
+    shown = re.sub(r"^# (\[prior\]|\w+_(?:um|urad) = )", r"\1", path.read_text(), flags=re.MULTILINE)
+    assert "\n[prior]\ntranslation_um = 20.0\n" in shown
+    assert machine_of(shown).prior == machine.prior  # the default, to be edited
     values = json.loads((tmp_path / "mill_errors.json").read_text())
     assert (values["machine"], values["motion_errors"]) == ("mill", {})
 

@@ -136,7 +136,7 @@ def test_what_the_user_vouches_for(tmp_path: Path, capsys: pytest.CaptureFixture
     assert command(tmp_path, program, "--integers", "mm", "--pass-m", "70,M110") == 0
     shown = capsys.readouterr().out
     assert "M110 passed, as --pass-m says" in shown
-    assert "sign check before first use: at X" in shown
+    assert "sign check before first use: set a gauge or laser" in shown
     with pytest.raises(InputError, match="--pass-m does not pass it"):
         command(tmp_path, program, "--dialect", "linuxcnc", "--pass-m", "70,110")
 

@@ -188,7 +188,8 @@ def test_the_sign_check_is_of_the_machine_whatever_the_datum(bench: Bench) -> No
     assert datum is not None
     assert (plain.position, plain.direction, plain.since_home) == (datum.position, datum.direction, datum.since_home)
     assert datum.correction - datum.datum == pytest.approx(plain.correction, abs=0.0011)
-    assert f"at home they would by {datum.datum - datum.at_home:+.4f} mm" in str(datum)
+    assert datum.compensated == pytest.approx(datum.datum - datum.at_home, abs=0.0011)
+    assert f"it must show {datum.compensated:+.4f} mm (not zero, as home itself is not corrected)" in str(datum)
 
 
 @pytest.mark.parametrize(

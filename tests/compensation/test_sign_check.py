@@ -39,10 +39,9 @@ def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
     # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-
     assert text.endswith(b"Y200.012\n")
     shown = str(bench.report)
-    assert "at X0 Y200 Z0 (line 3) the error values displace the tool point by dY = +0.0120 mm" in shown
-    assert "that is zero at home (X0 Y0 Z0) must show +0.0120 mm there.\n" in shown
-    assert "A reading above 0 means that the tool stands too far towards Y+ of the workpiece.\n" in shown
-    assert "commands Y200.012 (+0.0120 mm), and its words together move the tool by -0.0120 mm along Y.\n" in shown
+    assert "along Y of the workpiece frame, to zero at home (X0 Y0 Z0) and go to X0 Y200 Z0 (line 3).\n" in shown
+    assert "it must show +0.0120 mm (above 0: the tool stands too far towards Y+ of the workpiece).\n" in shown
+    assert "which commands Y200.012 (+0.0120 mm), it must show +0.0000 mm.\n" in shown
 
 
 @pytest.mark.parametrize("turn", ["C90.", "C-90."])
@@ -57,9 +56,12 @@ def test_what_errs_at_home_too_does_not_contradict_itself(bench: Bench, turn: st
     assert check.since_home == pytest.approx(check.deviation - check.at_home)
     assert check.correction + check.at_home == pytest.approx(-check.since_home, abs=0.001)
     shown = str(bench.report)
-    assert f"d{check.direction} = {check.deviation:+.4f} mm there and {check.at_home:+.4f} mm at home" in shown
-    assert f"must show {check.since_home:+.4f} mm there, the difference.\n" in shown
-    assert f"at home they would by {-check.at_home:+.4f} mm: the difference is the reading, taken back" in shown
+    # set to zero without compensation, it shows of the compensated program what home itself is off by
+    assert check.compensated == pytest.approx(-check.at_home, abs=0.001)
+    assert f"Without compensation it must show {check.since_home:+.4f} mm" in shown
+    assert f"it must show {check.compensated:+.4f} mm (not zero, as home itself is not corrected).\n" in shown
+    assert check.axis != check.direction  # C turns the table a quarter
+    assert f"; {check.axis} moves the tool along {check.direction} there)" in shown
 
 
 @pytest.mark.parametrize("name", ["table-table", "head and table"])

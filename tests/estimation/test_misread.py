@@ -10,10 +10,16 @@ from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import mixed_data
 from tests.identification.effect_data import model_with
+from trueaxis.estimation import swapped as swapped_module
 from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.evidence import evidence_at
+from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.misread import undone_reading
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.state import linearised
+from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 
 
@@ -48,6 +54,64 @@ def test_two_reversed_runs_are_named(readings: Observations) -> None:
     found = identify_estimated(model_with(), turned(readings, "X-1", "Y-5"), IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert set(found.values.fit.runs) == {"X-1", "Y-5"}
+
+
+# lines of one axis differ by what its angles make of their offsets alone: three of them tell little of X, of Z more
+@pytest.mark.parametrize("pair", [("X-1", "Y-5"), ("Z-7", "Z-8")])
+def test_two_swapped_runs_are_named_together(readings: Observations, pair: tuple[str, str]) -> None:
+    """They contradicted the others, or one of them was taken for reversed."""
+    found = identify_estimated(model_with(), swapped(readings, *pair), IdentifyOptions(known=KNOWN))
+    quality = found.report.quality
+    assert quality.fit.state == "misfit"
+    assert set(quality.fit.runs) == set(pair)
+    assert f"runs {pair[0]} and {pair[1]} read as if each had the other's readings" in quality.reason
+
+
+def test_two_runs_under_each_others_name_are_named_together(readings: Observations) -> None:
+    """Their positions go along: readings alone in each other's place would be of other targets."""
+    ids = [run.id for run in readings.runs]
+    wrong = readings.exchanged(ids.index("X-1"), ids.index("Y-5"))
+    found = identify_estimated(model_with(), wrong, IdentifyOptions(known=KNOWN))
+    quality = found.report.quality
+    assert set(quality.fit.runs) == {"X-1", "Y-5"}
+    assert "runs X-1 and Y-5 read as if each had the other's readings" in quality.reason
+
+
+def test_a_swap_is_as_much_likelier_as_the_evidence_says(
+    readings: Observations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The marginal likelihoods of both, by the same sizes, noise and linearisation, from QR factors of all readings."""
+    kept: list[tuple[Fitted, Posterior]] = []
+
+    def keep(_: object, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, object], list[object]]:
+        kept.append((fitted, posterior))
+        return {}, []
+
+    monkeypatch.setattr("trueaxis.estimation.estimate._wrong", keep)
+    estimate(model_with(), swapped(readings, "X-1", "Y-5"), KNOWN)
+    ((fitted, posterior),) = kept
+    state, names = fitted.state, [one.rows.run.id for one in fitted.state.runs]
+    every = {frozenset(names[place] for place in swap.places): odds for swap, odds in
+             swap_ratios(fitted, posterior).items()}  # fmt: skip
+    assert max(every, key=lambda pair: every[pair]) == {"X-1", "Y-5"}
+    pair = [names.index("X-1"), names.index("Y-5")]
+    runs, residual = list(state.runs), list(state.residual)
+    for place, other in zip(pair, reversed(pair), strict=True):
+        runs[place] = replace(state.runs[place], reading=state.runs[other].reading)
+        residual[place] = state.residual[place] + state.runs[other].reading - state.runs[place].reading
+    after = replace(state, runs=tuple(runs), residual=tuple(residual))
+    with_swap, without = (evidence_at(fitted.sizes, linearised(one), fitted.x) for one in (after, state))
+    gain = with_swap - without
+    assert gain > 0.0
+    assert every[frozenset({"X-1", "Y-5"})] == pytest.approx(gain, rel=1e-6)
+
+
+def test_repeats_of_a_run_are_never_swapped(readings: Observations) -> None:
+    """Readings of two runs that are set up alike may be taken for each other."""
+    one, other = (next(run for run in measured_runs(readings) if run.rows.run.id == name) for name in ("X-1", "X-2"))
+    assert swapped_module._differ(one, other)
+    twin = replace(one.rows.run, id="again")
+    assert not swapped_module._differ(one, replace(one, rows=replace(one.rows, run=twin)))
 
 
 @pytest.mark.parametrize(
@@ -113,6 +177,15 @@ def turned(data: Observations, *runs: str) -> Observations:
     """With the sign of runs reversed."""
     wrong = np.array([run.id in runs for run in data.runs])[data.run]
     return replace(data, reading=np.where(wrong, -data.reading, data.reading))
+
+
+def swapped(data: Observations, one: str, other: str) -> Observations:
+    """With the readings of two runs in each other's place."""
+    ids = [run.id for run in data.runs]
+    first, second = (np.flatnonzero(data.run == ids.index(name)) for name in (one, other))
+    reading = data.reading.copy()
+    reading[first], reading[second] = data.reading[second], data.reading[first]
+    return replace(data, reading=reading)
 
 
 def part(data: Observations, runs: Sequence[str]) -> Observations:

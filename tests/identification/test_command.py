@@ -1,6 +1,7 @@
 """trueaxis identify, as a user runs it: on the checked-in kernels and plans."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -132,3 +133,29 @@ def test_the_example_of_known_dimensions_is_taken(tmp_path: Path, capsys: pytest
     assert identify(data, tmp_path / "e.json", "--known", str(tmp_path / "known.json")) == 0
     assert "are not given (--known)" not in capsys.readouterr().out
     assert json.loads((tmp_path / "e.json").read_text())["parameters"]["q_Tz"] == -195.0
+
+
+def test_some_runs_alone_are_as_if_the_others_had_not_been_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3"), tmp_path / "e.json"
+    chosen = ["X-1", "X-2", "Y-5"]
+    capsys.readouterr()
+    assert identify(data, out, *STEPWISE, "--runs", *chosen) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    head, *rows = (data / "readings.csv").read_text().splitlines()
+    unread = [row if row.split(",")[0] in chosen else row.rpartition(",")[0] + "," for row in rows]
+    (data / "readings.csv").write_text("\n".join([head, *unread]) + "\n")
+    assert identify(data, out, *STEPWISE) == 0
+    unread_too = " ".join(capsys.readouterr().out.split())
+    note = re.search("NOTE: no reading yet in .* the others alone are used ", unread_too)
+    assert note is not None
+    assert unread_too.replace(note[0], "") == told
+    assert identify(data, out, "--runs", "X-1", "nosuch") == 2
+    assert "--runs: nosuch: is no run of the setup" in capsys.readouterr().err
+
+
+def test_readings_that_determine_nothing_end_with_a_reason(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3"), tmp_path / "e.json"
+    assert identify(data, out, *STEPWISE, "--runs", "X-1") == 1
+    assert "trueaxis: the readings determine no error: the values are zero" in capsys.readouterr().err

@@ -17,6 +17,7 @@ from trueaxis.identification.estimated import IdentifyOptions, identify_estimate
 from trueaxis.identification.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identification.paper.method import identify_paper
 from trueaxis.identification.paper.solution import PaperOptions
+from trueaxis.identification.report_text import fit_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import ErrorValues
@@ -42,7 +43,7 @@ def residuals(of_a: float, of_b: float, noise: float | None = 1e-3, size: float 
         run=np.repeat([0, 1], 100),
         count=np.ones(200),
         squares=squares,
-        noise=None if noise is None else np.full(200, noise),
+        noise=np.full(200, np.nan if noise is None else noise),
         size=None if size is None else np.full(200, size),
         freedom=150,
     )
@@ -67,7 +68,31 @@ def test_residuals_are_judged_by_the_noise_or_by_the_prior(
     found = quality(judged, RUNS)
     assert found.fit.state == state
     assert found.fit.runs == runs
-    assert (found.fit.chi2 is None) == (judged.noise is None)
+    assert (found.fit.chi2 is None) == bool(np.isnan(judged.noise).any())
+
+
+@pytest.mark.parametrize(
+    ("of_a", "of_b", "state", "runs"),
+    [
+        (1e-3, 1e-3, "converged", ()),
+        (4e-3, 1e-3, "misfit", ("a",)),
+        (1e-3, 8e-3, "converged", ()),  # nothing says what the ball bar's readings scatter by
+        (1e-3, 5e-2, "misfit", ("b",)),  # but more than any machine can be off by
+    ],
+)
+def test_an_instrument_whose_noise_is_known_is_judged_beside_one_whose_noise_is_not(
+    of_a: float, of_b: float, state: str, runs: tuple[str, ...]
+) -> None:
+    """A ball bar without repeats left the laser unjudged, too."""
+    both = residuals(of_a, of_b, size=0.02)
+    both = replace(both, noise=np.where(both.run == 0, 1e-3, np.nan))
+    found = quality(both, (RUNS[0], replace(RUNS[1], instrument="ballbar")))
+    assert found.fit.state == state
+    assert found.fit.runs == runs
+    assert found.fit.unjudged == ("ballbar",)
+    assert found.fit.chi2 == pytest.approx((of_a / 1e-3) ** 2 * 200 / 150)
+    if state == "converged":
+        assert "the residuals of ballbar could not be judged: no noise is stated for it" in fit_text(found)
 
 
 def test_a_good_fit_of_many_readings_is_no_misfit() -> None:

@@ -27,9 +27,10 @@ EACH = 25  # readings
 def residuals(reading: np.ndarray, *, known: bool) -> Residuals:
     """reading: (runs, EACH), of noise 1 um."""
     noise = np.full(reading.size, 1e-3)
+    stated = noise if known else np.nan * noise
     run = np.repeat(np.arange(len(reading)), EACH)
     return Residuals(
-        run=run, count=np.ones(run.size), squares=reading.ravel() ** 2, noise=noise if known else None, size=None,
+        run=run, count=np.ones(run.size), squares=reading.ravel() ** 2, noise=stated, size=None,
         freedom=run.size, copied=(), estimated=noise,
     )  # fmt: skip
 

@@ -1,5 +1,6 @@
 """What readings count: against statsmodels on a design matrix differentiated numerically."""
 
+import argparse
 from dataclasses import replace
 from functools import cache
 
@@ -11,6 +12,7 @@ from tests.generator.dmu60p import PARAMETERS
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identification.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs, with_estimation
 from tests.identification.test_estimated import KNOWN, in_powers
+from trueaxis.cli.identify import noise_option
 from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification
@@ -164,6 +166,29 @@ def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
     assert found.values.fit is not None
     assert found.values.fit.chi2 is not None
     assert found.values.fit.chi2 > 1.3**2
+
+
+def test_repeats_tell_the_noise_of_one_instrument_beside_one_that_is_stated() -> None:
+    """All or nothing was refused where the ball bar repeats nothing."""
+    laser = scattered()
+    draw = np.random.default_rng(8)
+    tripled = laser.of(np.tile(np.arange(laser.reading.size), 3))
+    tripled = replace(tripled, reading=tripled.reading + draw.normal(0.0, 2e-3, tripled.reading.size))
+    bars = tuple(replace(run, instrument="ballbar") if run.id == "X-1" else run for run in laser.runs)
+    both = replace(tripled, runs=bars)
+    of_bar = np.array([bars[index].instrument == "ballbar" for index in both.run])
+    weights = weighting(both, NoiseModel(by_group={"ballbar": 0.7}, repeated=frozenset({"laser"})))
+    bar, found = weights.groups
+    assert (bar.group, bar.um, bar.freedom) == ("ballbar", 0.7, None)
+    assert found.group == "laser"
+    assert found.freedom == (~of_bar).sum() * 2 // 3
+    assert found.um == pytest.approx(2.0, rel=0.05)
+    assert noise_option("laser=repeats, ballbar=0.7") == NoiseModel(
+        by_group={"ballbar": 0.7}, repeated=frozenset({"laser"})
+    )
+    for wrong, told in (("laser=0,3", "decimals have a point"), ("laser=1,laser=repeats", "more than once")):
+        with pytest.raises(argparse.ArgumentTypeError, match=told):
+            noise_option(wrong)
 
 
 def test_readings_approached_from_both_sides_are_no_repeats() -> None:

@@ -192,7 +192,7 @@ def test_runs_are_chosen_beside_unknown_effects() -> None:
     found: dict[bool, ProposalReport] = {}
     for unknown in (True, False):
         given = KNOWN if unknown else replace(KNOWN, effects=(EffectValues(BACKLASH, {"width": 0.0}),))
-        options = PlanOptions(given=given, noise=NoiseModel(0.3), tools=(ORIGIN,), wanted="EXX")
+        options = PlanOptions(given=given, noise=NoiseModel(um=0.3), tools=(ORIGIN,), wanted="EXX")
         proposal = proposed(mill, options, plan, 1, ("laser",))
         found[unknown] = proposal.report
         for planned, u in ((plan, proposal.report.before), (proposal.planned, proposal.report.added[-1].u)):

@@ -64,8 +64,8 @@ corrected in one direction without a large turn: the rotary axis then keeps its 
 names the lines.
 
 exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
-at whose end their words stop, or the program moves nothing: PROGRAM is written, and the second line says why it is not
-good; or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
+at whose end their words stop, or the program moves nothing: the last line is `PROGRAM: written, but not good:` and why;
+or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
 `PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong and nothing was written. A rapid in machine
 coordinates (G53 G0 Z0.) that stops at the end of travel is a note."""
 
@@ -294,4 +294,6 @@ def run(args: argparse.Namespace) -> int:
     if report.reliance is not None:
         for sentence in refusal_sentences(report.reliance, args.max_u):
             print(f"{named(args.out)}: not written: {sentence}")
+    if report.failure and not report.refused:
+        print(f"{named(args.out)}: written, but not good: {report.failure}")
     return 0 if report.good else 1

@@ -15,6 +15,7 @@ from trueaxis.identification.weighting import NoiseModel, Repeats
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.given import faults_of_runs
 from trueaxis.jobs.identify import (
     DEGREE_WITHOUT_PRIOR,
     HIGHEST_DEGREE,
@@ -65,6 +66,9 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
     parser.add_argument(
+        "--runs", nargs="+", default=[], metavar="ID", help="use the readings of these runs only (default: all)"
+    )
+    parser.add_argument(
         "--known",
         type=Path,
         metavar="E.json",
@@ -113,8 +117,8 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
         default=NoiseModel(),
         metavar="S",
         help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (by instrument or "
-        "run), or repeats, repeats-by-run: from repeated readings of each instrument, of each run (default: from "
-        "[device] tables, else from the residuals)",
+        "run), laser=repeats,ballbar=0.5, or repeats, repeats-by-run: from repeated readings of each instrument, of "
+        "each run (default: from [device] tables, else from the residuals)",
     )
     add_noise_urad(parser)
     parser.add_argument(
@@ -149,6 +153,7 @@ def run(args: argparse.Namespace) -> int:
         model = load_model(args.machine, args.kernels)
     with gathering(found):
         data = load_data(args.data, machine)
+        found += faults_of_runs(args.runs, data.data, option)
         found += overwritten(
             {"the active compensation of --data": active_file(args.data, data.data.setup)}, _outputs(args)
         )
@@ -183,13 +188,17 @@ def run(args: argparse.Namespace) -> int:
     if judged.fit.state == "misfit":
         print(f"trueaxis: MISFIT, {judged.reason}; {MISFIT_USE}", file=sys.stderr)
         return 1
-    return 1 if identified.report.nothing_determined else 0
+    if identified.report.nothing_determined:
+        print("trueaxis: the readings determine no error: the values are zero, or those of --known", file=sys.stderr)
+        return 1
+    return 0
 
 
 def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, known: Errors | None) -> Identified:
     return identify(
         model,
         data,
+        runs=args.runs,
         known=known,
         noise_um=args.noise_um,
         noise_urad=args.noise_urad,
@@ -235,20 +244,27 @@ def _method_option(text: str) -> str:
 
 
 def noise_option(text: str) -> NoiseModel:
-    """`0.3`, `laser=0.3,ballbar=0.5`, `repeats` or `repeats-by-run`."""
+    """`0.3`, `laser=0.3,ballbar=0.5`, `laser=repeats,ballbar=0.5`, `repeats` or `repeats-by-run`."""
     if text in _REPEATS:
         return NoiseModel(repeats=_REPEATS[text])
     if "=" not in text:
         return NoiseModel(um=noise(text))
+    parts = [part.strip() for part in text.split(",")]
+    if any(part.isdigit() for part in parts):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=S,NAME=S: decimals have a point, as in laser=0.3")
     found: dict[str, float] = {}
-    for part in text.split(","):
-        name, equals, value = part.rpartition("=")
-        if not (equals and name.strip()):
+    repeated = set()
+    for part in parts:
+        name, equals, value = (piece.strip() for piece in part.rpartition("="))
+        if not (equals and name):
             raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
-        if name.strip() in found:
-            raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
-        found[name.strip()] = noise(value)
-    return NoiseModel(by_group=found)
+        if name in found or name in repeated:
+            raise argparse.ArgumentTypeError(f"{name} is given more than once")
+        if value == "repeats":
+            repeated.add(name)
+        else:
+            found[name] = noise(value)
+    return NoiseModel(by_group=found, repeated=frozenset(repeated))
 
 
 def add_noise_urad(parser: argparse.ArgumentParser) -> None:

@@ -16,9 +16,10 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.given import faults_of_runs
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.plan import planned
-from trueaxis.jobs.plan_request import MOST_PROPOSED, PlanRequest, faults_of_request, faults_of_runs, outputs_of
+from trueaxis.jobs.plan_request import MOST_PROPOSED, PlanRequest, faults_of_request, outputs_of
 from trueaxis.jobs.tables import ORIGIN
 from trueaxis.machine import read_machine
 from trueaxis.measurement.active_compensation import active_file
@@ -142,7 +143,7 @@ def run(args: argparse.Namespace) -> int:
         model, data, known = read.model, read.data, read.known
         active = {"the active compensation of --data": active_file(args.data, data.setup)}
         found = overwritten(active, {"--report": args.report, "--picture": args.picture})
-        if found := found + faults_of_runs(request, data, option):
+        if found := found + faults_of_runs(request.runs, data, option):
             raise InputError(found)
     try:
         done = planned(model, data, known, effects, request, args.data, option)

@@ -37,24 +37,24 @@ class SignCheck:
     correction: float
     datum: float = 0.0
 
+    @property
+    def compensated(self) -> float:
+        """What the gauge, set to zero at home without compensation, shows with the compensated program, mm."""
+        return self.since_home + self.correction
+
     def __str__(self) -> str:
-        at_home, difference, taken_back = "", "", ""
-        if abs(self.at_home) >= _SHOWN:
-            at_home = f" there and {self.at_home:+.4f} mm at home"
-            difference = ", the difference"
-        if max(abs(self.at_home), abs(self.datum)) >= _SHOWN:
-            back = f"{self.datum - self.at_home:+.4f} mm"
-            taken_back = f"; at home they would by {back}: the difference is the reading, taken back"
+        turned = "" if self.axis == self.direction else f"; {self.axis} moves the tool along {self.direction} there"
+        offset = max(abs(self.at_home), abs(self.datum)) >= _SHOWN
+        why = " (not zero, as home itself is not corrected)" if offset else ""
+        moved = f"{self.axis}{self.command:.9g} ({self.command - self.position[self.axis]:+.4f} mm{turned})"
         return (
-            f"sign check before first use: at {_named(self.position)} (line {self.line}) the error values displace the "
-            f"tool point by d{self.direction} = {self.deviation:+.4f} mm{at_home}, in the workpiece frame.\n"
-            f"  Without compensation, a gauge or laser between table and tool along {self.direction} that is zero at "
-            f"home ({_named(self.home)}) must show {self.since_home:+.4f} mm there{difference}.\n"
-            f"  A reading above 0 means that the tool stands too far towards {self.direction}+ of the workpiece.\n"
-            f"  The compensated program commands {self.axis}{self.command:.9g} "
-            f"({self.command - self.position[self.axis]:+.4f} mm), and its words together move the tool by "
-            f"{self.correction:+.4f} mm along {self.direction}{taken_back}.\n"
-            "  If the gauge moves the other way, the error values have the wrong sign: do not run the program."
+            f"sign check before first use: set a gauge or laser between table and tool, along {self.direction} of the "
+            f"workpiece frame, to zero at home ({_named(self.home)}) and go to {_named(self.position)} "
+            f"(line {self.line}).\n"
+            f"  Without compensation it must show {self.since_home:+.4f} mm (above 0: the tool stands too far "
+            f"towards {self.direction}+ of the workpiece).\n"
+            f"  With the compensated program, which commands {moved}, it must show {self.compensated:+.4f} mm{why}.\n"
+            "  If the first reading has the other sign, so have the error values: do not run the program."
         )
 
 

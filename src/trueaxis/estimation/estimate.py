@@ -1,6 +1,6 @@
 """The estimate: sizes, noise and unknowns in turn, on the exact model, until nothing moves any more."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,13 +10,13 @@ from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posterior_at
-from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.fitted import Fitted, evidence_ratio
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.instrument_sizes import as_expected
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
 from trueaxis.estimation.left_out import Contradiction, contradictions
-from trueaxis.estimation.misread import SURE, Misread, mean_square, misread_runs, unexplained
+from trueaxis.estimation.misread import SURE, Misread, Refit, mean_square, misread_runs, unexplained
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.own_part import beside
 from trueaxis.estimation.posterior import Posterior
@@ -34,6 +34,7 @@ from trueaxis.estimation.state import (
     with_noise,
     without_outliers,
 )
+from trueaxis.estimation.swapped import likely_pairs
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
@@ -258,11 +259,35 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         posterior = fitted.posterior()
     misread = misread_runs(fitted, posterior, continued, refit)
     sure = {index: one for index, one in misread.items() if one.sure}
-    if not sure:
-        return misread, contradictions(fitted, posterior, continued, SURE)
-    others = unexplained(fitted, sure, refit)
+    others = unexplained(fitted, sure, refit) if sure else contradictions(fitted, posterior, continued, SURE)
     elsewise = {index for one in others for index in one.runs}
-    return {index: one for index, one in misread.items() if index not in elsewise}, others
+    misread = {index: one for index, one in misread.items() if index not in elsewise}
+    sure = {index: one for index, one in misread.items() if one.sure}
+    swapped = _under_each_other(setting, fitted, sure, elsewise, refit)
+    if not swapped:
+        return misread, others
+    return {index: one for index, one in misread.items() if one.partner is None} | swapped, []
+
+
+def _under_each_other(
+    setting: _Setting, fitted: Fitted, misread: Mapping[int, Misread], contradicting: Collection[int], refit: Refit
+) -> dict[int, Misread]:
+    """The two runs that were made each by the set-up of the other, if that explains most of what is wrong.
+
+    Their positions go with their readings: other than where readings alone are in each other's place.
+    """
+    wrong = [*contradicting, *sorted(misread, key=lambda index: -misread[index].log_odds)]
+    found = dict[int, Misread]()
+    for swap in likely_pairs(fitted, wrong, refit):
+        relabelled = setting.observed.exchanged(*swap.places)
+        there = replace(setting, observed=relabelled, runs=tuple(measured_runs(relabelled)))
+        begun, sizes = there.started(fitted.state.layout.effects)
+        x, state, _ = _rounds(begun, sizes, MOST_ROUNDS)
+        gain = evidence_ratio(fitted, Fitted(state=state, sizes=sizes, x=x)) - float(np.log(swap.among))
+        if gain > max([SURE, *(one.log_odds for one in {**misread, **found}.values())]):
+            of_both = (swap.places, swap.places[::-1])
+            found = {one: Misread(how="swapped", log_odds=gain, partner=other) for one, other in of_both}
+    return found
 
 
 def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:

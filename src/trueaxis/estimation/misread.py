@@ -1,4 +1,4 @@
-"""Runs that were misread: sign reversed, wrong unit, targets labelled from the wrong end.
+"""Runs that were misread: sign reversed, wrong unit, targets labelled from the wrong end, readings of another run.
 
 Every such fault has an inverse. A run is judged by what the others expect of it: as it is, and with each fault undone.
 Where the noise is estimated, that estimate has taken a faulty run for noise, by which the run is hardly likelier with
@@ -12,21 +12,20 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.evidence import evidence_at
-from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.estimation.state import DISPLAY, State, linearised
-from trueaxis.measurement.columns import BoolArray
+from trueaxis.estimation.state import DISPLAY, State
+from trueaxis.estimation.swapped import likelier, swap_ratios
 from trueaxis.measurement.machine import FloatArray
 
-How = Literal["reversed", "small", "large", "mirrored"]
+How = Literal["reversed", "small", "large", "mirrored", "swapped"]
 
-# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order.
+# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Swapped runs are two.
 UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
@@ -51,15 +50,34 @@ Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Misread:
-    """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone."""
+    """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone;
+    partner: the run, by index, whose readings it has if they are swapped.
+    """
 
     how: How
     log_odds: float
+    partner: int | None = None
 
     @property
     def sure(self) -> bool:
         """Whether it decides how a fit ended."""
         return bool(self.log_odds > SURE)
+
+
+@dataclass(frozen=True, slots=True)
+class _Fault:
+    """places: of the run, or of the two that are swapped; among: of how many such faults it is one, of which one at
+    most is there: what is likelier by it counts as much less.
+    """
+
+    places: tuple[int, ...]
+    how: How
+    among: int = 1
+
+    @property
+    def price(self) -> float:
+        """Logarithm."""
+        return float(np.log(self.among))
 
 
 def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: Refit) -> dict[int, Misread]:
@@ -72,32 +90,43 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
     undone: set[int] = set()
     while True:
         state = fitted.state
-        odds = {key: odd for key, odd in log_ratios(fitted, posterior).items() if key[0] not in undone}
+        odds = {key: odd for key, odd in _ratios(fitted, posterior).items() if not undone & set(key.places)}
         likeliest = sorted((key for key in odds if odds[key] > TRIED), key=lambda key: -odds[key])
-        gains: dict[tuple[int, How], float] = {}
+        gains: dict[_Fault, float] = {}
         following = fitted
-        for place, how in likeliest[:MOST_TRIALS]:
-            runs = _with_undone(state.runs, place, how)
+        for fault in likeliest[:MOST_TRIALS]:
+            runs = _with_undone(state.runs, fault)
             if runs is not None:
                 trial = continued(runs)
-                gain = _gain(fitted, trial, place, how)
+                gain = _gain(fitted, trial, fault)
                 if gain > TRIED:
                     trial = refit(runs)
-                    gain = _gain(fitted, trial, place, how)
+                    gain = _gain(fitted, trial, fault)
                 if gain > max([SURE, *gains.values()]):
                     following = trial
-                gains[place, how] = gain
+                gains[fault] = gain
         if not gains or max(gains.values()) <= SUSPICIOUS:
             return found
         best = max(gains.values())
         alike = [key for key in gains if gains[key] > max(best - SURE, SUSPICIOUS)]
-        for place, how in sorted(alike, key=lambda key: -gains[key]):
-            found.setdefault(state.runs[place].rows.index, Misread(how=how, log_odds=gains[place, how]))
+        for fault in sorted(alike, key=lambda key: -gains[key]):
+            indices = [state.runs[place].rows.index for place in fault.places]
+            for index, partner in zip(indices, reversed(indices), strict=True):
+                with_it = partner if fault.how == "swapped" else None
+                found.setdefault(index, Misread(how=fault.how, log_odds=gains[fault], partner=with_it))
         if best <= SURE:
             return found
-        undone |= {place for place, _ in alike}
+        undone |= {place for fault in alike for place in fault.places}
         fitted = following
         posterior = fitted.posterior()
+
+
+def _ratios(fitted: Fitted, posterior: Posterior) -> dict[_Fault, float]:
+    """Of every fault, by the noise and sizes of the state."""
+    single = {_Fault((place,), how): odds for (place, how), odds in log_ratios(fitted, posterior).items()}
+    swaps = swap_ratios(fitted, posterior).items()
+    double = {_Fault(swap.places, "swapped", swap.among): odds for swap, odds in swaps}
+    return {fault: odds - fault.price for fault, odds in (single | double).items()}
 
 
 def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> list[Contradiction]:
@@ -105,13 +134,18 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
 
     sure: runs by index that are misread; refit: of the other runs.
     """
+    by_index = {one.rows.index: one for one in fitted.state.runs}
     others = [one for one in fitted.state.runs if one.rows.index not in sure]
     if not {one.instrument for one in fitted.state.runs} <= {one.instrument for one in others}:
         return []
     without, expected = widest(refit(others))
     found = []
     for one in fitted.state.runs:
-        reading = undone_reading(one, sure[one.rows.index].how) if one.rows.index in sure else None
+        wrong = sure.get(one.rows.index)
+        if wrong is None:
+            continue
+        partner = None if wrong.partner is None else by_index[wrong.partner]
+        reading = undone_reading(one, wrong.how) if partner is None else partner.reading
         if reading is not None:
             undone, now = (
                 beside_others(without, expected, [replace(one, reading=values)], fitted.scales)
@@ -126,11 +160,10 @@ def log_ratios(fitted: Fitted, posterior: Posterior) -> dict[tuple[int, How], fl
     """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
     the state.
 
-    Sizes that were estimated with a fault may be far too small for readings without it: what is worse by them counts as
-    by a normal distribution of unknown width. With p what the others expect of the whitened readings y of a run, S the
-    covariance of y - p, and z the readings with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) -
-    (z - p)' S^-1 (z - p)] / 2, and that of the factor for every reading. S^-1 is what is left of 1 when the run's own
-    unknowns and those that runs share are taken out, and S^-1 (y - p) is the residual of the estimate of all runs.
+    With p what the others expect of the whitened readings y of a run, S the covariance of y - p, and z the readings
+    with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) - (z - p)' S^-1 (z - p)] / 2, and that of the factor
+    for every reading. S^-1 is what is left of 1 when the run's own unknowns and those that runs share are taken out,
+    and S^-1 (y - p) is the residual of the estimate of all runs.
     """
     found: dict[tuple[int, How], float] = {}
     state, sizes, x = fitted.state, fitted.sizes, fitted.x
@@ -149,8 +182,7 @@ def log_ratios(fitted: Fitted, posterior: Posterior) -> dict[tuple[int, How], fl
             by_shape = float(squares[column, column] - 2.0 * squares[0, column] + squares[0, 0])
             worse = 2.0 * float(change @ residual) + by_shape
             usual = max(float(residual @ residual), float(residual.size))
-            odds = -0.5 * worse if worse < 0.0 else -0.5 * residual.size * float(np.log1p(worse / usual))
-            found[place, how] = odds + _of_factor(state, place, how)
+            found[place, how] = likelier(worse, usual, residual.size) + _of_factor(state, place, how)
     return found
 
 
@@ -193,26 +225,25 @@ def _of_factor(state: State, place: int, how: How) -> float:
     return int(one.good.sum()) * (float(np.log(factor)) - (coarse if factor != 1.0 else 0.0))
 
 
-def _with_undone(runs: Sequence[MeasuredRun], place: int, how: How) -> list[MeasuredRun] | None:
+def _with_undone(runs: Sequence[MeasuredRun], fault: _Fault) -> list[MeasuredRun] | None:
     """All readings count again."""
-    reading = undone_reading(runs[place], how)
-    if reading is None:
-        return None
     whole = [replace(one, good=np.ones(one.reading.size, dtype=bool)) for one in runs]
-    whole[place] = replace(whole[place], reading=reading)
+    for place, partner in zip(fault.places, reversed(fault.places), strict=True):
+        undone = runs[partner].reading if fault.how == "swapped" else undone_reading(runs[place], fault.how)
+        if undone is None:
+            return None
+        whole[place] = replace(whole[place], reading=undone)
     return whole
 
 
-def _gain(one: Fitted, other: Fitted, place: int, how: How) -> float:
-    """Logarithm of how much likelier readings are by the other estimate: those that count in both."""
-    good = [a.good & b.good for a, b in zip(one.state.runs, other.state.runs, strict=True)]
-    before, after = (_counting(each.state, good) for each in (one, other))
-    value = evidence_at(other.sizes, linearised(after), other.x) - evidence_at(one.sizes, linearised(before), one.x)
-    return value + _of_factor(replace(before, noise=after.noise, scales=after.scales), place, how)
-
-
-def _counting(state: State, good: Sequence[BoolArray]) -> State:
-    return replace(state, runs=tuple(replace(run, good=of) for run, of in zip(state.runs, good, strict=True)))
+def _gain(one: Fitted, other: Fitted, fault: _Fault) -> float:
+    """Logarithm of how much likelier readings are by the other estimate."""
+    value = evidence_ratio(one, other)
+    if fault.how != "swapped":
+        before, after = counting_in_both(one.state, other.state)
+        (place,) = fault.places
+        value += _of_factor(replace(before, noise=after.noise, scales=after.scales), place, fault.how)
+    return value - fault.price
 
 
 def mean_square(state: State) -> float:

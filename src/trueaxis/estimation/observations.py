@@ -1,7 +1,7 @@
 """The readings that identification works on, and which of them repeat a place: the pure error of an instrument."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import polars as pl
@@ -49,10 +49,15 @@ class Observations:
             context=None if self.context is None else self.context.of(keep),
         )
 
+    def exchanged(self, one: int, other: int) -> "Observations":
+        """As if the readings of one run, with their positions, were those of the other, and the other way round."""
+        return replace(self, run=np.select([self.run == one, self.run == other], [other, one], self.run))
 
-def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observations:
-    """The rows that have a reading. Raises InputError where none has."""
-    taken = (~readings.planned).nonzero()[0]
+
+def observations(source: str, runs: Sequence[Run], readings: Readings, only: Collection[str] = ()) -> Observations:
+    """The rows that have a reading; only: of these runs, if any are named. Raises InputError where none has."""
+    chosen = [index for index, run in enumerate(runs) if not only or run.id in only]
+    taken = (~readings.planned & np.isin(readings.run, chosen)).nonzero()[0]
     if taken.size == 0:
         remedy = "take them, or make some with simulate"
         raise InputError([Fault(source, "column reading", "is a plan: there is no reading in it", remedy)])

@@ -21,7 +21,7 @@ from trueaxis.identification.fit_quality import (
     NotConvergedError,
     Residuals,
     expected_sizes,
-    known_noise,
+    noise_of_repeats,
     noise_remedies,
     quality,
     run_residuals,
@@ -74,8 +74,12 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
     residuals = _residuals(model, observed, found, noise)
     each = run_residuals(residuals, observed.runs)
-    by_device = options.noise.um is None and not options.noise.by_group
-    remedies = {} if options.noise.repeats else noise_remedies(observed, noise, each, by_device=by_device)
+    by_device = options.noise.um is None and not options.noise.names
+    remedies = (
+        {}
+        if options.noise.repeats or options.noise.repeated
+        else noise_remedies(observed, noise, each, by_device=by_device)
+    )
     if not found.iteration.converged:
         raise NotConvergedError(each, found.iteration.rounds + found.iteration.steps, tuple(remedies))
     judged = with_misread(quality(residuals, observed.runs), observed, found, prior=prior)
@@ -157,22 +161,21 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         ]
     )
     estimated = sigma[observed.run]
-    known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
-    all_stated = set(np.unique(observed.run).tolist()) <= set(noise)
-    if all_stated:
-        sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
-        known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
+    of_runs = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
+    sizes = expected_sizes(model, observed.runs, observed.run, observed.positions)
+    # no allowance for what a model lacks where the noise is stated: values follow a noise that is too small
+    sizes = None if sizes is None else np.where(np.isfinite(of_runs), 0.0, sizes)
     return Residuals(
         run=observed.run,
         count=good.astype(np.float64),
         squares=np.where(good, found.readings.residual, 0.0) ** 2,
-        noise=known,
+        noise=np.where(np.isfinite(of_runs), of_runs, noise_of_repeats(observed)),
         size=sizes,
         freedom=int(found.readings.freedom),
-        copied=() if all_stated else tuple(copied_runs(observed).tolist()),
+        copied=tuple(copied_runs(observed).tolist()),
         estimated=estimated,
         independent=independent,
-        stated=all_stated,
+        stated=tuple(sorted(noise)),
     )
 
 

@@ -15,6 +15,7 @@ from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_a
 from trueaxis.estimation.observations import Observations, pure_error
 from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
+from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import INSTRUMENTS, SmallUnit, small_unit
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
@@ -85,23 +86,23 @@ class Residuals:
     """Residuals of readings, or of groups of readings of one run at one position.
 
     run: (n,), index into the runs; count: (n,), readings of each; squares: (n,), sums of their squared residuals, mm^2;
-    noise, size: (n,), standard deviation of a reading by its noise, and by errors of their prior sizes, mm; None where
-    unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit;
-    estimated: (n,), as noise where that is not known, which then judges no fit but shows which runs stand out;
-    independent: of runs, by index, how many independent readings scatter as its readings; else all of them do; stated:
-    whether the noise was stated; else it is that of repeats.
+    noise: (n,), standard deviation of a reading that is stated or from repeats, mm; NaN where unknown; size: (n,), by
+    errors of their prior sizes, mm; None without a prior; freedom: degrees of freedom left; copied: runs, by index,
+    whose repeats are mostly equal to the last digit; estimated: (n,), as noise where that is not known, which then
+    judges no fit but shows which runs stand out; independent: of runs, by index, how many independent readings scatter
+    as its readings; else all of them do; stated: runs, by index, whose noise was stated; else it is that of repeats.
     """
 
     run: IntArray
     count: FloatArray
     squares: FloatArray
-    noise: FloatArray | None
+    noise: FloatArray
     size: FloatArray | None
     freedom: int
     copied: tuple[int, ...] = ()
     estimated: FloatArray | None = None
     independent: Mapping[int, float] = field(default_factory=dict)
-    stated: bool = False
+    stated: tuple[int, ...] = ()
 
 
 class NotConvergedError(RuntimeError):
@@ -119,18 +120,13 @@ def stands_still(step: FloatArray, u: FloatArray, sigma: float | None) -> bool:
     return bool(np.all(np.abs(step) <= np.maximum(largest, LEAST_STEP)))
 
 
-def known_noise(observed: Observations, sigma: float | None, roots: FloatArray | None = None) -> FloatArray | None:
-    """(n,): standard deviation of each reading, mm: sigma over roots, else from repeats of its instrument; None where
-    one instrument has too few of them.
-    """
-    if sigma is not None:
-        return np.full(observed.reading.size, sigma) if roots is None else sigma / roots
+def noise_of_repeats(observed: Observations) -> FloatArray:
+    """(n,): standard deviation of each reading from repeats of its instrument, mm; NaN where it has too few of them."""
     instrument = np.array([INSTRUMENTS.index(run.instrument) for run in observed.runs], dtype=np.int64)[observed.run]
     squares, freedom = pure_error(observed, instrument, len(INSTRUMENTS))
-    if (freedom[np.unique(instrument)] < LEAST_FREEDOM).any():
-        return None
-    each: FloatArray = np.sqrt(squares / np.maximum(freedom, 1))[instrument]
-    return each
+    enough = freedom >= LEAST_FREEDOM
+    of_instrument = np.where(enough, np.sqrt(squares / np.maximum(freedom, 1)), np.nan)
+    return np.asarray(of_instrument[instrument])
 
 
 def expected_sizes(
@@ -148,29 +144,58 @@ def expected_sizes(
 
 
 def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
-    """Judge the residuals of a fit that stands still."""
+    """Judge the residuals of a fit that stands still: by their noise where it is known, by [prior] where it is not."""
     each = run_residuals(residuals, runs)
-    left = residuals.freedom > 0
-    if residuals.noise is not None and left:
-        chi2 = float((residuals.squares / np.maximum(residuals.noise, RESOLUTION) ** 2).sum()) / residuals.freedom
-        allowed = _with_discrepancy(residuals)
-        ratio = float(np.sqrt((residuals.squares / allowed**2).sum() / residuals.freedom))
-        of_runs = _ratios(residuals, allowed, len(runs))
-        worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
-        if ratio > MISFIT or of_runs.max(initial=0.0) > MISFIT_OF_RUN:
-            named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
-            reason = FAR_FROM_NOISE[residuals.stated] + _copies(residuals, runs)
-            if residuals.stated and float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
-                reason += "; most runs are: the stated noise may be too small"
-            return FitQuality(Fit("misfit", chi2, named), each, reason)
-        return FitQuality(Fit("converged", chi2), each)
-    if residuals.size is not None and left:
-        rms = float(np.sqrt(residuals.squares.sum() / residuals.count.sum()))
-        prior = float(np.sqrt((residuals.count * residuals.size**2).sum() / residuals.count.sum()))
-        if rms > max(prior, RESOLUTION):
-            reason = f"the residuals are larger than errors of the sizes of [prior] would be ({prior * 1e3:.3g} um)"
-            return FitQuality(Fit("misfit", None, tuple(one.run for one in each[:MOST_RUNS])), each, reason)
-    return FitQuality(Fit("converged"), each)
+    if residuals.freedom <= 0:
+        return FitQuality(Fit("converged"), each)
+    counted, told = residuals.count > 0.0, np.isfinite(residuals.noise)
+    known, unknown = counted & told, counted & ~told
+    others = [runs[index] for index in np.unique(residuals.run[unknown])]
+    unjudged = tuple(sorted({run.instrument for run in others}))
+    chi2, far = _far_from_noise(residuals, runs, known) if known.any() else (None, None)
+    if far is None:
+        far = _larger_than_prior(residuals, unknown, [one.run for one in each if one.run in {run.id for run in others}])
+    if far is None:
+        return FitQuality(Fit("converged", chi2, unjudged=unjudged), each)
+    return FitQuality(Fit("misfit", chi2, far[1], unjudged), each, far[0])
+
+
+def _larger_than_prior(residuals: Residuals, of: BoolArray, named: Sequence[str]) -> tuple[str, tuple[str, ...]] | None:
+    """Why residuals are a misfit that are larger than errors of the sizes of [prior] would be, and which runs, of those
+    named.
+    """
+    if residuals.size is None or not of.any():
+        return None
+    readings = residuals.count[of].sum()
+    rms = float(np.sqrt(residuals.squares[of].sum() / readings))
+    prior = float(np.sqrt((residuals.count[of] * residuals.size[of] ** 2).sum() / readings))
+    if rms <= max(prior, RESOLUTION):
+        return None
+    reason = f"the residuals are larger than errors of the sizes of [prior] would be ({prior * 1e3:.3g} um)"
+    return reason, tuple(named[:MOST_RUNS])
+
+
+def _far_from_noise(
+    residuals: Residuals, runs: Sequence[Run], of: BoolArray
+) -> tuple[float, tuple[str, tuple[str, ...]] | None]:
+    """Chi-square per degree of freedom, and if the residuals are far from the noise why, and which runs.
+
+    Degrees of freedom are shared in proportion to the readings.
+    """
+    freedom = residuals.freedom * float(residuals.count[of].sum() / residuals.count.sum())
+    noise, allowed = np.maximum(residuals.noise, RESOLUTION), _with_discrepancy(residuals)
+    chi2 = float((residuals.squares / noise**2)[of].sum()) / freedom
+    ratio = float(np.sqrt((residuals.squares / allowed**2)[of].sum() / freedom))
+    of_runs = _ratios(residuals, allowed, len(runs))
+    worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
+    if ratio <= MISFIT and of_runs.max(initial=0.0) <= MISFIT_OF_RUN:
+        return chi2, None
+    named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
+    stated = bool(np.isin(named[0], [runs[index].id for index in residuals.stated]))
+    reason = FAR_FROM_NOISE[stated] + ("" if stated else _copies(residuals, runs))
+    if stated and float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
+        reason += "; most runs are: the stated noise may be too small"
+    return chi2, (reason, named)
 
 
 def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
@@ -186,14 +211,18 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
     squares = np.bincount(residuals.run, weights=residuals.squares, minlength=len(runs))
     present = np.flatnonzero(count)
     rms = np.sqrt(squares[present] / count[present])
-    noise = residuals.estimated if residuals.noise is None else residuals.noise
-    ratio = None if noise is None else _ratios(residuals, np.maximum(noise, RESOLUTION), len(runs))
+    noise = residuals.noise
+    if residuals.estimated is not None:
+        noise = np.where(np.isfinite(noise), noise, residuals.estimated)
+    known = np.zeros(len(runs), dtype=bool)
+    known[residuals.run] = np.isfinite(noise)
+    ratio = _ratios(residuals, np.maximum(noise, RESOLUTION), len(runs))
     found = [
         RunResidual(
             run=runs[index].id,
             readings=int(count[index]),
             rms_um=float(of_run) * 1e3,
-            ratio=None if ratio is None else float(ratio[index]),
+            ratio=float(ratio[index]) if known[index] else None,
             most=_most(residuals.independent.get(index, float(count[index])), present.size),
             unit=small_unit(runs[index].instrument),
         )
@@ -208,15 +237,15 @@ def _most(independent: float, runs: int) -> float:
 
 
 def _with_discrepancy(residuals: Residuals) -> FloatArray:
-    assert residuals.noise is not None
     noise = np.maximum(residuals.noise, RESOLUTION)
     return noise if residuals.size is None else np.hypot(noise, DISCREPANCY * residuals.size)
 
 
 def _ratios(residuals: Residuals, noise: FloatArray, runs: int) -> FloatArray:
-    """(runs,): rms of the residuals over the noise; 0 where a run has no readings."""
-    count = np.bincount(residuals.run, weights=residuals.count, minlength=runs)
-    squares = np.bincount(residuals.run, weights=residuals.squares / noise**2, minlength=runs)
+    """(runs,): rms of the residuals over the noise; 0 where a run has no readings, or its noise is not known."""
+    known = np.isfinite(noise)
+    count = np.bincount(residuals.run, weights=np.where(known, residuals.count, 0.0), minlength=runs)
+    squares = np.bincount(residuals.run, weights=np.where(known, residuals.squares / noise**2, 0.0), minlength=runs)
     return np.sqrt(np.divide(squares, count, out=np.zeros(runs), where=count > 0))
 
 

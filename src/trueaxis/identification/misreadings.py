@@ -1,6 +1,6 @@
 """Readings that cannot be what the set-up says: runs that contradict the others, and all readings too small."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,13 +11,13 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
-from trueaxis.model.errors import Fit
 
 READS: Mapping[How, str] = {
     "reversed": "as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)",
     "small": "as if it were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
     "large": "as if it were 1000 times too large (um written for mm? mrad for rad?)",
     "mirrored": "as if its targets were labelled from the other end (positions in readings.csv)",
+    "swapped": "as if its readings were those of another run",
 }
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.
@@ -68,15 +68,16 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
 
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
-    sure = {observed.runs[index].id: one for index, one in found.readings.misread.items() if one.sure}
-    reasons, named = [_of_runs(sure) if sure else _of_all(found)], tuple(sure)
+    sure = {index: one for index, one in found.readings.misread.items() if one.sure}
+    ids = tuple(observed.runs[index].id for index in sure)
+    reasons, named = [_of_runs(observed, sure) if sure else _of_all(found)], ids
     contradicting = _contradicting(observed, found) if prior else None
     if contradicting is not None and contradicting.matter:
         reasons, named = [*reasons, str(contradicting)], named + contradicting.runs
     reason = "; ".join(filter(None, reasons))
     if not reason:
         return judged
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason, misread=tuple(sure))
+    return replace(judged, fit=replace(judged.fit, state="misfit", runs=named), reason=reason, misread=ids)
 
 
 def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tuple[str, ...]:
@@ -89,22 +90,34 @@ def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tu
             f"{named}: the readings are not what the other runs let expect. Without a prior the others hold errors "
             "that they do not determine at zero, so that this is no proof of a wrong run: --prior spec judges it",
         )
+    likelier = "that makes the readings {:.2g} times as likely, which is not enough to be sure"
+    unsure = {index: one for index, one in found.readings.misread.items() if not one.sure}
     return little + tuple(
-        f"run {observed.runs[index].id} may read {READS[one.how]}: that makes the readings "
-        f"{np.exp(one.log_odds):.2g} times as likely, which is not enough to be sure"
-        for index, one in found.readings.misread.items()
-        if not one.sure
+        f"{text}: {likelier.format(np.exp(one.log_odds))}" for text, one in _each(observed, unsure, "may read")
     )
 
 
-def _of_runs(sure: Mapping[str, Misread]) -> str:
-    if len(sure) == 1:
-        ((run, one),) = sure.items()
-        return f"run {run} reads {READS[one.how]}"
+def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> Iterator[tuple[str, Misread]]:
+    """`run X reads ...` of each, `runs X and Y ...` once of two that are swapped."""
+    done = set[int]()
+    for index, one in misread.items():
+        named = observed.runs[index].id
+        if one.partner is None:
+            yield f"run {named} {verb} {READS[one.how]}", one
+        elif index not in done:
+            done |= {index, one.partner}
+            both = (
+                f"runs {named} and {observed.runs[one.partner].id} {verb.removesuffix('s')} as if each had the other's"
+            )
+            yield f"{both} readings (run in readings.csv, or what setup.toml says of them)", one
+
+
+def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:
     kinds = {one.how for one in sure.values()}
-    if len(kinds) == 1:
-        return f"runs {', '.join(sure)}: one of them at least reads {READS[kinds.pop()]}"
-    return "; ".join(f"run {run} reads {READS[one.how]}" for run, one in sure.items())
+    if len(sure) > 1 and len(kinds) == 1 and "swapped" not in kinds:
+        named = ", ".join(observed.runs[index].id for index in sure)
+        return f"runs {named}: one of them at least reads {READS[kinds.pop()]}"
+    return "; ".join(text for text, _ in _each(observed, sure, "reads"))
 
 
 def _contradicting(observed: Observations, found: Estimate) -> Contradicting | None:

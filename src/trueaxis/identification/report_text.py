@@ -16,7 +16,7 @@ from trueaxis.identification.report import (
     IdentificationReport,
     InstrumentReport,
 )
-from trueaxis.identification.words import IN_COMBINATION, RULE, combination_text, in_small, tool_sentence
+from trueaxis.identification.words import IN_COMBINATION, RULE, combination_text, enumerated, in_small, tool_sentence
 
 WIDTH = 100
 WORST = 5  # runs with a line of their own
@@ -121,7 +121,13 @@ def fit_text(judged: FitQuality) -> str:
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if judged.fit.chi2 is None:
         return (
-            "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
+            "converged; the residuals could not be judged: no noise is stated (--noise-um), and too little is repeated"
+        )
+    if judged.fit.unjudged:
+        names = enumerated(judged.fit.unjudged)
+        chi2 += (
+            f"; the residuals of {names} could not be judged: no noise is stated for it (--noise-um), and too little "
+            "is repeated"
         )
     ratio = math.sqrt(judged.fit.chi2)
     if ratio <= LACKING:

@@ -16,20 +16,26 @@ Repeats = Literal["", "instrument", "run"]
 LEAST_FREEDOM = 5  # of a noise from repeats: with fewer it is uncertain by a third and more
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseModel:
     """What is known of the noise beforehand.
 
     um: one value for every reading of a length; by_group: instrument or run -> value, runs before instruments
-    (micrometres); urad: one value for every reading of an angle (microradians, which at ARM are micrometres); repeats:
-    from repeated readings, one value for each instrument or each run. With none of them all readings count the same and
-    the residuals set the level.
+    (micrometres); repeated: instruments or runs whose repeated readings tell it; urad: one value for every reading of
+    an angle (microradians, which at ARM are micrometres); repeats: from repeated readings, one value for each
+    instrument or each run. With none of them all readings count the same and the residuals set the level.
     """
 
     um: float | None = None
     by_group: Mapping[str, float] = field(default_factory=dict)
     repeats: Repeats = ""
     urad: float | None = None
+    repeated: frozenset[str] = frozenset()
+
+    @property
+    def names(self) -> list[str]:
+        """Instruments and runs of which something is said."""
+        return [*self.by_group, *sorted(self.repeated)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +65,9 @@ def weighting(observed: Observations, model: NoiseModel) -> Weighting:
     """The weights of the readings. Raises InputError where a group is unknown, has no noise, or too few repeats."""
     size = observed.reading.size
     _refuse_units(observed, model)
-    if by_group := _by_group(observed, model):
-        return _weighted(observed, _given(observed, by_group), "given for each instrument or run")
+    by_group = _by_group(observed, model)
+    if by_group or model.repeated:
+        return _weighted(observed, _given(observed, by_group, model.repeated), "given for each instrument or run")
     if model.repeats:
         return _weighted(observed, _repeated(observed, model.repeats), f"from repeats of each {model.repeats}")
     sigma = None if model.um is None else model.um * 1e-3
@@ -70,7 +77,7 @@ def weighting(observed: Observations, model: NoiseModel) -> Weighting:
 def _by_group(observed: Observations, model: NoiseModel) -> Mapping[str, float]:
     """Of instruments and runs, where more than one value is stated, or angles are among the readings."""
     used = {observed.runs[index].instrument for index in np.unique(observed.run)}
-    if ANGLE not in used or not (model.by_group or model.um is not None or model.urad is not None):
+    if ANGLE not in used or not (model.names or model.um is not None or model.urad is not None):
         return model.by_group
     of_lengths = {} if model.um is None else dict.fromkeys(sorted(used - {ANGLE}), model.um)
     of_angles = {} if model.urad is None else {ANGLE: model.urad}
@@ -98,19 +105,22 @@ def _weighted(observed: Observations, noise: Mapping[int, GroupNoise], origin: s
     return Weighting(level / each, level, origin, tuple(groups[name] for name in sorted(groups)))
 
 
-def _given(observed: Observations, by_group: Mapping[str, float]) -> dict[int, GroupNoise]:
+def _given(observed: Observations, by_group: Mapping[str, float], repeated: frozenset[str]) -> dict[int, GroupNoise]:
     faults = Faults("--noise-um")
     ids = [run.id for run in observed.runs]
-    for name in by_group:
+    for name in (*by_group, *sorted(repeated)):
         if name not in ids and name not in INSTRUMENTS:
             faults.add(name, "is neither an instrument nor a run", f"{', '.join(INSTRUMENTS)}, or {', '.join(ids)}")
-    found = {}
+    found: dict[int, GroupNoise] = {}
     silent: dict[str, list[str]] = {}
+    by_repeats: dict[int, str] = {}
     for index in np.unique(observed.run).tolist():
         run = observed.runs[index]
-        own = next((key for key in (run.id, run.instrument) if key in by_group), None)
+        own = next((key for key in (run.id, run.instrument) if key in by_group or key in repeated), None)
         if own is None:
             silent.setdefault(run.instrument, []).append(run.id)
+        elif own in repeated:
+            by_repeats[index] = own
         else:
             found[index] = GroupNoise(own, by_group[own], None)
     for instrument, ids in silent.items():
@@ -118,15 +128,21 @@ def _given(observed: Observations, by_group: Mapping[str, float]) -> dict[int, G
         remedy = "--noise-urad S" if instrument == ANGLE else f"{instrument}=S, or {ids[0]}=S"
         faults.add("", f"says nothing of {which}", remedy)
     faults.raise_if_any()
-    return found
+    return found | (_of_repeats(observed, by_repeats) if by_repeats else {})
 
 
 def _repeated(observed: Observations, by: Repeats) -> dict[int, GroupNoise]:
     present = np.unique(observed.run).tolist()
     names = {index: observed.runs[index].id if by == "run" else observed.runs[index].instrument for index in present}
+    return _of_repeats(observed, names)
+
+
+def _of_repeats(observed: Observations, names: Mapping[int, str]) -> dict[int, GroupNoise]:
+    """Of the runs with a name, by index: one value for all of a name."""
     order = sorted(set(names.values()))
     of_run = np.array([order.index(names[i]) if i in names else -1 for i in range(len(observed.runs))], dtype=np.int64)
-    squares, freedom = pure_error(observed, of_run[observed.run], len(order))
+    mine = observed.of(np.flatnonzero(of_run[observed.run] >= 0))
+    squares, freedom = pure_error(mine, of_run[mine.run], len(order))
     _refuse_few(observed, order, freedom, squares)
     um = np.sqrt(squares / freedom) * 1e3
     return {
@@ -140,7 +156,7 @@ def _refuse_few(observed: Observations, order: list[str], freedom: IntArray, squ
     for name, free, total in zip(order, freedom.tolist(), squares.tolist(), strict=True):
         if free < LEAST_FREEDOM:
             problem = f"{name}: repeats leave {free} degrees of freedom for the noise"
-            found.append(Fault(observed.source, "", problem, f"{LEAST_FREEDOM} or more, or give it with --noise-um"))
+            found.append(Fault(observed.source, "", problem, f"{LEAST_FREEDOM} or more, or --noise-um {name}=S"))
         elif total == 0.0:
             problem = f"{name}: repeated readings are all equal"
             found.append(Fault(observed.source, "", problem, "readings as they were taken, or --noise-um"))

@@ -129,7 +129,7 @@ class EvaluatedDiagonals(Printed, Tabular):
         """Mean deviations of all diagonals, as PNG."""
         from trueaxis.reporting.pictures.standard_tests import diagonal_plot  # noqa: PLC0415  matplotlib takes long to import
 
-        return diagonal_plot(self.figures, self.source)
+        return diagonal_plot(self.figures)
 
     def __str__(self) -> str:
         return diagonal_report.report_text(self.source, self.test, self.figures)

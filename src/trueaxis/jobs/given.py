@@ -1,12 +1,13 @@
 """Error values as they are given to a job: of this machine, unedited since their covariance, fit to be relied on."""
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.load import Errors
+from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.covariance import digest_of_numbers, digest_of_values
 from trueaxis.model.errors import CovarianceLink, ErrorValues
 from trueaxis.model.model import MachineModel
@@ -69,3 +70,13 @@ def warn_of_misfit(errors: Errors | None) -> None:
     """Log a warning where known values are a misfit."""
     if errors is not None and errors.values.fit is not None and errors.values.fit.state == "misfit":
         _LOG.warning("%s: these values did not fit the readings that they are from", name_of(errors))
+
+
+def faults_of_runs(names: Sequence[str], data: MeasuredData, spelled: Spelled = argument) -> list[Fault]:
+    """Runs asked for that the data do not have."""
+    ids = [run.id for run in data.setup.runs]
+    return [
+        Fault(spelled("runs"), name, "is no run of the setup", f"of {', '.join(ids)}")
+        for name in names
+        if name not in ids
+    ]

@@ -1,7 +1,8 @@
 """Error values from measured data."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Literal
 
 from trueaxis.estimation.curve_prior import DEGREE
@@ -17,7 +18,7 @@ from trueaxis.identification.report import IdentificationReport
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
-from trueaxis.jobs.given import Spelled, argument, warn_of_misfit
+from trueaxis.jobs.given import Spelled, argument, faults_of_runs, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.jobs.tables import Printed, check_among
 from trueaxis.measurement.active_compensation import uncompensated
@@ -33,7 +34,7 @@ DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from followin
 Method = Literal["global", "stepwise"]
 Squareness = Literal["convention", "known", "from-angles"]
 Curves = Literal["table", "polynomial", "held-out"]
-Noise = NoiseModel | Mapping[str, float] | float | None
+Noise = NoiseModel | Mapping[str, float | Literal["repeats"]] | float | None
 
 
 class UnbelievableError(ValueError):
@@ -61,6 +62,7 @@ def identify(
     model: MachineModel,
     data: DataFolder,
     *,
+    runs: Sequence[str] = (),
     known: Errors | None = None,
     noise_um: Noise = None,
     noise_urad: float | None = None,
@@ -73,13 +75,14 @@ def identify(
 ) -> Identified:
     """Identify the error motions and location errors of a machine from readings, on the exact model.
 
-    known: known values, which are not identified, dimensions included. noise_um: standard deviation of a reading, um,
-    or by name of an instrument or a run; noise_urad: of angle instruments; None: from the readings. squareness: source
-    of the squareness: level straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the
-    errors have the sizes of [prior]; if not, errors that readings do not determine are zero and named.
-    ideal_instruments: the instruments have no unknowns. degree: highest order of the curves (14; 7 without prior).
-    method "stepwise" is the paper's, point by point, with curves as a "table", a "polynomial" by its procedure, or one
-    whose order is chosen by "held-out" positions.
+    runs: ids of those whose readings count (all). known: known values, which are not identified, dimensions included.
+    noise_um: standard deviation of a reading, um, or by name of an instrument or a run (or "repeats": from its repeated
+    readings); noise_urad: of angle instruments; None: from the readings. squareness: source of the squareness: level
+    straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the errors have the sizes of
+    [prior]; if not, errors that readings do not determine are zero and named. ideal_instruments: the instruments have
+    no unknowns. degree: highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by
+    point, with curves as a "table", a "polynomial" by its procedure, or one whose order is chosen by "held-out"
+    positions.
 
     Raises InputError if arguments do not go together, the set-up contradicts the machine, or no reading depends on an
     error; NotConvergedError if the fit does not converge; UnbelievableError if no machine has such values;
@@ -95,10 +98,12 @@ def identify(
     )  # fmt: skip
     if unfit := faults_of_choice(choice):
         raise InputError(unfit)
+    if absent := faults_of_runs(runs, data.data):
+        raise InputError(absent)
     values = None if known is None else known.values
     warn_of_misfit(known)
     measured = believed(model, data, values)
-    observed = observations(str(data.folder), measured.setup.runs, measured.readings)
+    observed = observations(str(data.folder), measured.setup.runs, measured.readings, runs)
     if method == "global":
         found = identify_estimated(model, observed, _options(choice, values))
     else:
@@ -107,15 +112,20 @@ def identify(
     check_believable(model.machine, found.values, faults)
     if faults.found:
         raise UnbelievableError(tuple(faults.found), found.report)
-    report = replace(
-        found.report,
-        notes=(*found.report.notes, compensation_note(measured.setup, data.folder)),
-        caveats=(*found.report.caveats, *unread_caveats(measured)),
-        measurement=measured.setup.report,
-    )
+    report = _of_data(found.report, measured, data.folder)
     covariance = _with_known(found.covariance, known)
     origin = origin_of(report, data.folder.resolve().name, method == "global" and prior)
     return Identified(Errors(replace(found.values, origin=origin), covariance, machine=model.machine), report)
+
+
+def _of_data(report: IdentificationReport, measured: MeasuredData, folder: Path) -> IdentificationReport:
+    """With what the data folder says beside the readings."""
+    return replace(
+        report,
+        notes=(*report.notes, compensation_note(measured.setup, folder)),
+        caveats=(*report.caveats, *unread_caveats(measured)),
+        measurement=measured.setup.report,
+    )
 
 
 def _options(choice: "MethodChoice", values: ErrorValues | None) -> IdentifyOptions:
@@ -159,7 +169,7 @@ def faults_of_choice(choice: MethodChoice, spelled: Spelled = argument) -> list[
         found.append(Fault(place, "", "needs the squareness", f"give a file with {spelled('known')}"))
     if choice.method == "stepwise":
         for name, used, remedy in (
-            ("noise_um", choice.noise.by_group or choice.noise.repeats, "one value"),
+            ("noise_um", choice.noise.names or choice.noise.repeats, "one value"),
             ("noise_urad", choice.noise.urad is not None, f"{way} global"),
             ("degree", choice.degree is not None, f"{way} global"),
             ("ideal_instruments", choice.ideal_instruments, f"{way} global"),
@@ -188,11 +198,15 @@ def noise_model(noise_um: Noise, noise_urad: float | None = None) -> NoiseModel:
     if noise_um is None or isinstance(noise_um, NoiseModel):
         given = noise_um or NoiseModel()
         return given if noise_urad is None else replace(given, urad=noise_urad)
-    by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
+    said = dict(noise_um) if isinstance(noise_um, Mapping) else {}
+    by_group = {name: value for name, value in said.items() if not isinstance(value, str)}
+    repeated = frozenset(said.keys() - by_group.keys())
+    if wrong := [value for name, value in said.items() if name in repeated and value != "repeats"]:
+        raise ValueError(f'noise_um: expected a number or "repeats"; given {wrong[0]!r}')
     whole = None if isinstance(noise_um, Mapping) else float(noise_um)
     for value in (*by_group.values(), whole):
         check_noise(value)
-    return NoiseModel(um=whole, by_group=by_group, urad=noise_urad)
+    return NoiseModel(um=whole, by_group=by_group, urad=noise_urad, repeated=repeated)
 
 
 def check_noise(um: float | None) -> None:

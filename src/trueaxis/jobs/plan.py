@@ -13,11 +13,11 @@ from trueaxis.identification.notes import dimension_notes
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import utf8_text
-from trueaxis.jobs.given import Spelled, argument, files_of, kernels_of, warn_of_misfit
+from trueaxis.jobs.given import Spelled, argument, faults_of_runs, files_of, kernels_of, warn_of_misfit
 from trueaxis.jobs.identify import Noise, believed, noise_model
 from trueaxis.jobs.load import AnyPath, DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, faults_of_runs, outputs_of
+from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, outputs_of
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
@@ -159,7 +159,7 @@ def planned(
         expected = made.expected
         contents = _contents(new_setup(model.name), request.out or Path(), made)
     else:
-        if found := faults_of_runs(request, data, spelled):
+        if found := faults_of_runs(request.runs, data, spelled):
             raise InputError(found)
         runs = PlannedRuns(str(folder), data.setup.runs, data.readings)
         runs = runs.of(request.runs) if request.runs else runs

@@ -11,7 +11,6 @@ from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.tables import ORIGIN, above_zero
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.setup import Vector
 from trueaxis.planning.candidates import WITH_CANDIDATES
@@ -63,21 +62,11 @@ def faults_of_request(
 ) -> list[Fault]:
     """What does not go together; nothing is read for it. writes: a first plan is of use in a folder alone."""
     found = []
-    if request.noise.repeats:
+    if request.noise.repeats or request.noise.repeated:
         problem = "a plan has no readings"
-        found.append(Fault(spelled("noise_um"), request.noise.repeats, problem, "a number of micrometres"))
+        found.append(Fault(spelled("noise_um"), request.noise.repeats or "repeats", problem, "a number of micrometres"))
     found += _of_first_plan(request, spelled, writes) if folder is None else _of_plan(request, spelled)
     return found + ([] if request.out is None else _of_out(request.out, folder, spelled))
-
-
-def faults_of_runs(request: PlanRequest, data: MeasuredData, spelled: Spelled = argument) -> list[Fault]:
-    """Runs that the plan does not have."""
-    ids = [run.id for run in data.setup.runs]
-    return [
-        Fault(spelled("runs"), name, "is no run of the setup", f"of {', '.join(ids)}")
-        for name in request.runs
-        if name not in ids
-    ]
 
 
 def _of_plan(request: PlanRequest, spelled: Spelled) -> list[Fault]:

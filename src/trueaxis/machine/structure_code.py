@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from trueaxis.error_name import DIRECTIONS, Direction, rotation_about
 from trueaxis.machine.machine import AXES, LINEAR
+from trueaxis.machine.prior import SIZES
 
 _ISO = re.compile(r"\[?\s*(?P<first>[wt])(?P<left>[^b]*)b(?P<right>[^b]*)(?P<last>[wt])\s*\]?")
 
@@ -19,6 +20,11 @@ TURNED = (
     "# Positive commands move what carries the workpiece to {axis}+, and the tool to {axis}- of the workpiece.\n"
     "# Where the control counts the other way (ISO 841 does):\n"
     "# sense = -1\n"
+)
+
+# the default, shown so that it is known
+PRIOR = "\n# How large errors may be before anything is measured, standard deviations:\n# [prior]\n" + "".join(
+    f"# {name} = {size!r}\n" for name, size in SIZES.items()
 )
 
 
@@ -130,4 +136,4 @@ def new_spec(
             parts.append(TURNED.format(axis=axis))
         if axis in "ABC":
             parts.append("# position = [0.0, 0.0, 0.0]  # where its axis lies, from the axis that it stands on, mm\n")
-    return "".join(parts)
+    return "".join(parts) + PRIOR

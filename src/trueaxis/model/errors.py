@@ -44,12 +44,14 @@ class Fit:
     """How the identification of error values ended.
 
     state: `converged`, or `misfit` where residuals are far from the noise that is known; chi2: weighted squares of the
-    residuals per degree of freedom, None where no noise was known; runs: those that misfit, worst first.
+    residuals per degree of freedom, None where no noise was known; runs: those that misfit, worst first; unjudged:
+    instruments whose noise was not known.
     """
 
     state: FitState
     chi2: float | None = None
     runs: tuple[str, ...] = ()
+    unjudged: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,6 +158,8 @@ def dump_errors(
             tree["fit"]["chi2"] = float(errors.fit.chi2)
         if errors.fit.runs:
             tree["fit"]["runs"] = list(errors.fit.runs)
+        if errors.fit.unjudged:
+            tree["fit"]["unjudged"] = list(errors.fit.unjudged)
     if errors.covariance is not None:
         tree["covariance"] = {
             "file": errors.covariance.file,
@@ -251,17 +255,19 @@ def _fit(entry: Any, faults: Faults) -> Fit | None:
         faults.add("fit", f"{shown(entry)} is not an object", 'give {"state": "converged"} or leave it out')
         return None
     for key in entry:
-        if key not in ("state", "chi2", "runs"):
-            faults.add(key_path(("fit", key)), "is not a key of a fit", "known: state, chi2, runs")
+        if key not in ("state", "chi2", "runs", "unjudged"):
+            faults.add(key_path(("fit", key)), "is not a key of a fit", "known: state, chi2, runs, unjudged")
     state = next((known for known in FIT_STATES if entry.get("state") == known), None)
     if state is None:
         faults.add("fit.state", f"is {shown(entry.get('state'))}", f"one of {', '.join(FIT_STATES)}")
     chi2 = number(entry["chi2"], ("fit", "chi2"), faults) if "chi2" in entry else None
-    runs = entry.get("runs", [])
-    if not isinstance(runs, list) or not all(isinstance(run, str) for run in runs):
-        faults.add("fit.runs", "is not a list of run ids")
-        runs = []
-    return None if state is None else Fit(state, chi2, tuple(runs))
+    lists: dict[str, list[str]] = {}
+    for key, what in (("runs", "run ids"), ("unjudged", "instruments")):
+        lists[key] = entry.get(key, [])
+        if not isinstance(lists[key], list) or not all(isinstance(name, str) for name in lists[key]):
+            faults.add(f"fit.{key}", f"is not a list of {what}")
+            lists[key] = []
+    return None if state is None else Fit(state, chi2, tuple(lists["runs"]), tuple(lists["unjudged"]))
 
 
 def _covariance(entry: Any, faults: Faults) -> CovarianceLink | None:

@@ -37,7 +37,7 @@ def errors_schema() -> Schema:
                 "schema": FIRST_SCHEMA,
                 "machine": _TEXT,
                 "fit": table(
-                    {"state": among(FIT_STATES), "chi2": NUMBER, "runs": array(_TEXT)},
+                    {"state": among(FIT_STATES), "chi2": NUMBER, "runs": array(_TEXT), "unjudged": array(_TEXT)},
                     ["state"],
                 ),
                 "covariance": table({"file": _TEXT, "sha256_of_values": _TEXT}, ["file", "sha256_of_values"]),

@@ -29,7 +29,9 @@ def files(folder: Path, cycles: int = 3) -> list[str]:
 
 
 def test_report_json_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    out, picture, data = tmp_path / "d.json", tmp_path / "d.png", files(tmp_path)
+    deep = tmp_path / ("folder" * 20)  # names of files made the title wider than the picture
+    deep.mkdir()
+    out, picture, data = tmp_path / "d.json", tmp_path / "d.png", files(deep)
     assert main(["evaluate", *data, *LENGTHS, "--out", str(out), "--picture", str(picture)]) == 0
     text = capsys.readouterr().out
     assert text.isascii()

@@ -14,7 +14,7 @@ from trueaxis.identification.fit_quality import (
     NotConvergedError,
     Residuals,
     expected_sizes,
-    known_noise,
+    noise_of_repeats,
     quality,
     stands_still,
 )
@@ -124,10 +124,11 @@ def _quality(
 ) -> FitQuality:
     """noise: that of the fit, and what was given, um."""
     found, given_um = noise
-    known = known_noise(observed, None if given_um is None else given_um * 1e-3)
-    if known is not None:
-        of_run = dict(zip(observed.run.tolist(), known.tolist(), strict=True))
+    if given_um is None:
+        of_run = dict(zip(observed.run.tolist(), noise_of_repeats(observed).tolist(), strict=True))
         known = np.array([of_run[run] for run in cells.run.tolist()])
+    else:
+        known = np.full(cells.run.size, given_um * 1e-3)
     squares = cells.repeats * solution.residual**2 + cells.scatter
     size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
     copied = tuple(copied_runs(observed).tolist()) if given_um is None else ()
@@ -140,7 +141,7 @@ def _quality(
             size=size,
             freedom=found.freedom,
             copied=copied,
-            stated=given_um is not None,
+            stated=() if given_um is None else tuple(np.unique(cells.run).tolist()),
         ),
         observed.runs,
     )

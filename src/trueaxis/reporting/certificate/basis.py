@@ -2,7 +2,7 @@
 
 import math
 
-from trueaxis.identification.words import small
+from trueaxis.identification.words import enumerated, small
 from trueaxis.model.errors import Fit
 from trueaxis.model.origin import Origin
 from trueaxis.reporting.certificate.content import Content
@@ -33,7 +33,8 @@ def fit_text(fit: Fit | None) -> str:
     if fit.chi2 is None:
         judged = "the residuals could not be judged: no noise was stated, and too little is repeated"
         return f"{fit.state}; {judged}" if fit.state == "converged" else fit.state
-    return f"{fit.state}, chi-square per degree of freedom {fit.chi2:.3g}"
+    apart = f"; not judged: {enumerated(fit.unjudged)}, whose noise is not known" if fit.unjudged else ""
+    return f"{fit.state}, chi-square per degree of freedom {fit.chi2:.3g}{apart}"
 
 
 def _of_readings(origin: Origin) -> list[tuple[str, str]]:

@@ -21,6 +21,7 @@ from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
 MICROMETRE = "\N{MICRO SIGN}m"
+LONGEST = 40  # characters of the name of a file in a title: the axes shrink by what a title is too long
 
 
 @dataclass(frozen=True)
@@ -99,7 +100,7 @@ def _positioning_figure(evaluation: Evaluation, title: str) -> Figure:
     panel.plot(x, mean, ":", color=GREY, linewidth=1.2, zorder=3, label="mean of both")
     right = panel.secondary_yaxis("right")
     right.set_yticks([low, high], labels=[f"{low:.1f}", f"{high:.1f}"], fontsize=8, color=GREY)
-    panel.set_title(f"{title}: {_summary(evaluation)}", fontsize=10, loc="left", parse_math=False)
+    panel.set_title(f"{title[-LONGEST:]}: {_summary(evaluation)}", fontsize=10, loc="left", parse_math=False)
     panel.set_xlabel(f"target position ({evaluation.unit})", fontsize=9)
     panel.set_ylabel(f"deviation ({_shown(evaluation)[1]})", fontsize=9)
     panel.tick_params(labelsize=8)
@@ -109,12 +110,12 @@ def _positioning_figure(evaluation: Evaluation, title: str) -> Figure:
     return figure
 
 
-def diagonal_plot(figures: DiagonalFigures, title: str) -> bytes:
+def diagonal_plot(figures: DiagonalFigures) -> bytes:
     """PNG: mean deviations along each diagonal in micrometres; dashed: approached in the negative direction."""
-    return png(lambda: _diagonal_figure(figures, title))
+    return png(lambda: _diagonal_figure(figures))
 
 
-def _diagonal_figure(figures: DiagonalFigures, title: str) -> Figure:
+def _diagonal_figure(figures: DiagonalFigures) -> Figure:
     figure = Figure(figsize=(8.4, 5.0), dpi=110, layout="constrained")
     panel = figure.subplots()
     panel.axhline(0.0, color="#B0B0B0", linewidth=0.8, zorder=0)
@@ -123,7 +124,7 @@ def _diagonal_figure(figures: DiagonalFigures, title: str) -> Figure:
         panel.plot(x, 1e3 * e.positive.mean, "o-", color=colour, linewidth=1.5, markersize=4, label=one.name)
         panel.plot(x, 1e3 * e.negative.mean, "s--", color=colour, linewidth=1.0, markersize=3)
     largest = f"Ed {1e3 * figures.E_d:.1f}, Bd {1e3 * figures.B_d:.1f} {MICROMETRE}"
-    panel.set_title(f"{title}\n{largest}", fontsize=10, loc="left", parse_math=False)
+    panel.set_title(f"diagonal test: {largest}", fontsize=10, loc="left")
     panel.set_xlabel("target along the diagonal (mm); solid: positive approach, dashed: negative", fontsize=9)
     panel.set_ylabel(f"mean deviation ({MICROMETRE})", fontsize=9)
     panel.tick_params(labelsize=8)

@@ -112,7 +112,8 @@ def uncertainty_picture(slices: Sequence[Slice]) -> bytes:
 
 def _slices_figure(slices: Sequence[Slice]) -> Figure:
     figure = Figure(figsize=(4.0 * len(slices) + 1.0, 4.2), dpi=110, layout="constrained")
-    figure.suptitle("expected standard uncertainty of the tool point, seen from home", fontsize=11)
+    title = "expected standard uncertainty of the tool point, seen from home: root sum of squares of x, y, z"
+    figure.suptitle(title, fontsize=11)
     panels = figure.subplots(1, len(slices), squeeze=False)[0]
     top = 1e3 * max(float(one.u.max()) for one in slices)
     for panel, one in zip(panels, slices, strict=True):
