@@ -44,7 +44,7 @@ class SignCheck:
 
     def __str__(self) -> str:
         turned = "" if self.axis == self.direction else f"; {self.axis} moves the tool along {self.direction} there"
-        offset = max(abs(self.at_home), abs(self.datum)) >= _SHOWN
+        offset = abs(self.datum - self.at_home) >= _SHOWN
         why = " (not zero, as home itself is not corrected)" if offset else ""
         moved = f"{self.axis}{self.command:.9g} ({self.command - self.position[self.axis]:+.4f} mm{turned})"
         return (

@@ -25,7 +25,8 @@ from trueaxis.measurement.machine import FloatArray
 
 How = Literal["reversed", "small", "large", "mirrored", "swapped"]
 
-# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Swapped runs are two.
+# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
+# each other's readings.
 UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
