@@ -170,6 +170,7 @@ def test_a_command_does_not_outlive_the_tests(tmp_path: Path) -> None:
         assert tests.stdout is not None
         command = int(tests.stdout.readline())
         while not (tmp_path / "out").exists():  # it is at work
+            assert tests.poll() is None, "the command did not start"
             time.sleep(0.02)
         tests.kill()
     status = Path(f"/proc/{command}/status")
@@ -211,6 +212,18 @@ def test_a_library_that_swallows_the_request_does_not_undo_it() -> None:
         "except Stopped as stopped:\n  raise SystemExit(stopped.code)\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (143, "")
+
+
+def test_a_request_that_python_cannot_pass_on_is_made_again() -> None:
+    """As in a finaliser or a callback of a compiled library: Python prints what is raised there, and goes on."""
+    code = (
+        "import os, signal, sys, time\nfrom trueaxis.stopping import Stopped, stoppable\n"
+        "class Ends:\n  def __del__(self):\n    os.kill(os.getpid(), signal.SIGTERM)\n    time.sleep(1.0)\n"
+        "try:\n  with stoppable():\n    Ends()\n    time.sleep(30.0)\n"
+        "except Stopped as stopped:\n  sys.exit(stopped.code)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=20.0)
     assert (done.returncode, done.stderr) == (143, "")
 
 

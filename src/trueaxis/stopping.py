@@ -1,11 +1,12 @@
 """A signal that asks the program to stop ends it in order: what is half done is undone, and the exit code says why."""
 
 import signal
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-_LATER = 0.02  # s, after which it is looked again whether an import has ended
+_LATER = 0.02  # s, after which a request that could not be met is made again
 _IMPORTING = "<frozen importlib"  # file of the frames of Python's imports
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")  # the last is not known to every system
 
@@ -25,7 +26,8 @@ def stoppable() -> Iterator[None]:
     Afterwards such signals are ignored: all is done, and Python's own end is not to be interrupted halfway.
     A signal that was ignored from the start (nohup) stays ignored. What is raised in a library that is being imported
     may be swallowed there, or turned into an error of its own (NumPy: ImportError): where there are timers it is raised
-    after the import, and after a signal any error, and an end as if nothing had been, are the request to stop.
+    after the import, and after a signal any error, and an end as if nothing had been, are the request to stop. Raised
+    where Python cannot pass it on (a callback of a compiled library), it is raised once more a moment later.
     """
     numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
     numbers = [number for number in numbers if signal.getsignal(number) is not signal.SIG_IGN]
@@ -43,11 +45,23 @@ def stoppable() -> Iterator[None]:
 
     def stop_now(_: int, frame: FrameType | None) -> None:
         if hasattr(signal, "setitimer") and _imports(frame):
-            signal.signal(signal.SIGALRM, stop_now)
-            signal.setitimer(signal.ITIMER_REAL, _LATER)
+            stop_later()
         else:
             raise Stopped(asked[0])
 
+    def stop_later() -> None:
+        if hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGALRM, stop_now)
+            signal.setitimer(signal.ITIMER_REAL, _LATER)
+
+    def lost(what: "sys.UnraisableHookArgs") -> None:
+        if isinstance(what.exc_value, Stopped):
+            stop_later()
+        else:
+            told_before(what)
+
+    told_before = sys.unraisablehook
+    sys.unraisablehook = lost
     for number in numbers:
         signal.signal(number, stop)
     try:
@@ -63,6 +77,7 @@ def stoppable() -> Iterator[None]:
         ignore()
         if asked and hasattr(signal, "setitimer"):
             signal.setitimer(signal.ITIMER_REAL, 0.0)
+        sys.unraisablehook = told_before
 
 
 def _imports(frame: FrameType | None) -> bool:
