@@ -16,6 +16,7 @@ from trueaxis.measurement.delimited import (
     DelimitedText,
     Dimension,
     Heading,
+    called,
     decimal,
     factor,
     heading,
@@ -26,7 +27,7 @@ from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun, appro
 from trueaxis.measurement.limits import LONGEST_ID
 
 MOST_FAULTS = 20
-LONGEST_SHOWN = 40
+LONGEST_SHOWN, LONGEST_HEADER = 40, 200  # characters in a message
 LINEAR, ROTARY = "xyz", "abc"
 ANGLES = ("pitch", "yaw", "roll", "tilt", "slope")  # names of readings; a table may have several of them
 
@@ -108,21 +109,20 @@ def _columns(
     table: DelimitedText, keys: RunKeys, faults: Faults, of_several: str | None
 ) -> dict[str, tuple[int, Heading]]:
     """Which column of the table, and with which unit, holds what. of_several: see `_runs`."""
-    heads = [heading(text) for text in table.header]
+    heads, listed = [heading(text) for text in table.header], shown(", ".join(table.header), LONGEST_HEADER)
     found: dict[str, tuple[int, Heading]] = {}
     for name, synonyms in NAMES.items():
         said = keys.said(f"column.{name}") or (of_several if name == "reading" else None)
-        matching = [index for index, head in enumerate(heads) if (head.text == said if said else head.name in synonyms)]
+        matching = called(said, heads) if said else [k for k, head in enumerate(heads) if head.name in synonyms]
         if said and not matching:
-            keys.wrong(f"column.{name}", said, f"a column of the header, line {table.header_line}")
+            keys.wrong(f"column.{name}", said, f"a column of the header, line {table.header_line}: {listed}")
         if len(matching) > 1:
-            names = " and ".join(heads[index].text for index in matching)
-            remedy = f"--map column.{name}=NAME says which"
-            faults.add(f"line {table.header_line}", f"{names} could both be the {name}", remedy)
+            problem = " and ".join(heads[index].text for index in matching) + f" could both be the {name}"
+            faults.add(f"line {table.header_line}", problem, f"--map column.{name}=NAME says which")
         if matching:
-            index = matching[0]
-            unit = table.units[index].strip("[]()").strip().lower() if table.units else heads[index].unit
-            found[name] = index, Heading(heads[index].text, name, unit)
+            head = heads[matching[0]]
+            unit = table.units[matching[0]].strip("[]()").strip().lower() if table.units else head.unit
+            found[name] = matching[0], Heading(head.text, name, unit)
     return found
 
 

@@ -33,11 +33,11 @@ def positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_
     return _of_rtl(path, unit, fewest_cycles)
 
 
-def mapped_test(
+def mapped_tests(
     path: Path, given: Mapping[str, str], unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES
-) -> PositioningTest:
-    """Read a table whose columns and units the user names, by keys as `read_csv` takes them; cycles are counted by
-    approaches, as of a .rtl file. Raises InputError with every fault.
+) -> dict[str, PositioningTest]:
+    """Read a table whose columns and units the user names, by keys as `read_csv` takes them: its tests by name of the
+    run. Cycles are counted by approaches, as of a .rtl file. Raises InputError with every fault.
     """
     keys, found = UserKeys(given=given), list[Fault]()
     runs: Sequence[InstrumentRun] = ()
@@ -45,16 +45,23 @@ def mapped_test(
         runs = read_csv(path, keys)
     found += [*keys.unknown(), *keys.faults, *(one.fault for one in keys.questions)]
     found += [] if found else keys.unused()
-    if len(runs) > 1:
-        found.append(Fault(str(path), "", f"has {len(runs)} runs", "a file of one test"))
     if found:
         raise InputError(found)
-    (run,) = runs
+    tests = {}
+    for run in runs:
+        with gathering(found):
+            tests[run.id] = _of_table(run, unit, fewest_cycles)
+    if found:
+        raise InputError(found)
+    return tests
+
+
+def _of_table(run: InstrumentRun, unit: Unit, fewest_cycles: int) -> PositioningTest:
     if (run.instrument == "angle") != (unit == "deg"):
         problem = f"has {'angles' if run.instrument == 'angle' else 'lengths'}"
-        raise InputError([Fault(str(path), "", problem, "of a rotary axis angles, else lengths")])
+        raise InputError([Fault(run.file, "", problem, "of a rotary axis angles, else lengths")])
     if run.targets is None:
-        raise InputError([Fault(str(path), "", "has no targets", "--map column.target=NAME")])
+        raise InputError([Fault(run.file, "", "has no targets", "--map column.target=NAME")])
     if unit == "deg":
         run = replace(run, reading=np.degrees(run.reading))
     return _of_run(run, _Places(targets="column target", readings="readings"), unit, fewest_cycles)

@@ -24,7 +24,7 @@ from trueaxis.evaluation.iso230_4.figures import circular_figures
 from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, diagonal_test
 from trueaxis.evaluation.iso230_6.figures import diagonal_figures
 from trueaxis.instrument_files.csv_file import OF_BALL_BAR, read_csv
-from trueaxis.instrument_files.positioning import mapped_test, positioning_test, positioning_tests
+from trueaxis.instrument_files.positioning import mapped_tests, positioning_test, positioning_tests
 from trueaxis.instrument_files.read import recognised
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, InputError
@@ -76,7 +76,7 @@ def evaluate(
     (arrays have `PositioningTest.unit`). Of a circular test: plane, such as "XY", angles count from the first axis to
     the second; radius: nominal length of the bar, mm; feed: mm/min, if no file has it. Of both: keys, columns and units
     that the headers do not give, as in `import_readings`. Of a diagonal test: diagonals, how far each axis goes along
-    one of them, mm, by letter, two axes or three; repeatability and swap_directions. Raises InputError with every
+    one of them, mm, by letter, two axes or three; keys, repeatability and swap_directions. Raises InputError with every
     fault, also for arguments of the other kind of test; ValueError for arguments of another form.
     """
     if repeatability not in get_args(Repeatability):
@@ -94,6 +94,8 @@ def evaluate(
     if isinstance(data, Mapping):
         if options.diagonals is None:
             raise ValueError("data: several tests are diagonals: give how far each axis goes, diagonals")
+        if options.keys:
+            raise ValueError("keys: they name columns of files; given tests of arrays")
         if any(one.unit != "mm" for one in data.values()):
             raise ValueError("data: expected tests in mm; diagonals are lengths")
         runs = [("data", name, _checked(one, fewest_cycles=1)) for name, one in data.items()]
@@ -114,10 +116,12 @@ def evaluated(
     """As `evaluate`. found: faults so far, told with those of what the files are."""
     circles, faults = [], list(found)
     if options.diagonals is not None:
+        with gathering(faults):
+            _check_keys(paths, " ".join(map(str, paths)), options, spelled)
         runs: list[tuple[str, str, PositioningTest]] = []
         for path in paths:
             with gathering(faults):
-                runs += [(str(path), name, one) for name, one in positioning_tests(path, fewest_cycles=1).items()]
+                runs += [(str(path), name, one) for name, one in _along_diagonals(path, options.keys).items()]
         if faults:
             raise InputError(faults)
         return _diagonals(runs, " ".join(map(str, paths)), options, spelled)
@@ -152,22 +156,42 @@ def _positioning(
     if unfit:
         problem = f"{source} is a positioning test"
         raise InputError([Fault(spelled(name), "", problem, "leave it out: it is of circular tests") for name in unfit])
-    if options.keys and not (isinstance(data, Path) and recognised(data) == "csv"):
-        problem = f"{source} names its columns and units itself"
-        raise InputError([Fault(spelled("keys"), "", problem, "leave it out: it is of tables with other names")])
+    _check_keys([data] if isinstance(data, Path) else [], source, options, spelled)
     unit: Unit = "deg" if options.rotary else "mm"
     if isinstance(data, Path):
-        test = mapped_test(data, options.keys, unit) if options.keys else positioning_test(data, unit)
+        test = _the_only_one(data, options.keys, unit) if options.keys else positioning_test(data, unit)
     else:
         test = data
     test = test.swapped() if options.swap_directions else test
     return EvaluatedPositioning(source=source, evaluation=evaluate_positioning(test, options.repeatability))
 
 
+def _check_keys(paths: Sequence[Path], source: str, options: EvaluateOptions, spelled: Spelled) -> None:
+    """Raises InputError where keys are given and no file needs them."""
+    if options.keys and not any(recognised(path) == "csv" for path in paths):
+        problem = f"{source} names its columns and units itself"
+        raise InputError([Fault(spelled("keys"), "", problem, "leave it out: it is of tables with other names")])
+
+
+def _the_only_one(path: Path, keys: Mapping[str, str], unit: Unit) -> PositioningTest:
+    tests = mapped_tests(path, keys, unit)
+    if len(tests) > 1:
+        raise InputError([Fault(str(path), "", f"has {len(tests)} runs", "a file of one test")])
+    (test,) = tests.values()
+    return test
+
+
+def _along_diagonals(path: Path, keys: Mapping[str, str]) -> dict[str, PositioningTest]:
+    """The tests of a file; keys name the columns and units of tables."""
+    if keys and recognised(path) == "csv":
+        return mapped_tests(path, keys, fewest_cycles=1)
+    return positioning_tests(path, fewest_cycles=1)
+
+
 def _diagonals(
     runs: Sequence[tuple[str, str, PositioningTest]], source: str, options: EvaluateOptions, spelled: Spelled
 ) -> EvaluatedDiagonals:
-    unfit = [name for name in ("plane", "radius", "feed", "keys", "rotary") if getattr(options, name)]
+    unfit = [name for name in ("plane", "radius", "feed", "rotary") if getattr(options, name)]
     if unfit:
         problem = f"{source} is a diagonal test"
         raise InputError([Fault(spelled(name), "", problem, "leave it out: it is of other tests") for name in unfit])

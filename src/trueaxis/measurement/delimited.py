@@ -3,6 +3,7 @@
 import csv
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -157,6 +158,12 @@ def heading(text: str) -> Heading:
     if parts := _SUFFIX.fullmatch(text):
         return Heading(text, parts[1].lower(), parts[2].lower().replace("mm_min", "mm/min"))
     return Heading(text, text.lower(), "")
+
+
+def called(name: str, heads: Sequence[Heading]) -> list[int]:
+    """Which columns have a name: by their whole head or, where none has, without its unit."""
+    whole = [index for index, head in enumerate(heads) if head.text == name]
+    return whole or [index for index, head in enumerate(heads) if head.name == name.lower()]
 
 
 def factor(unit: str, dimension: Dimension) -> float | None:

@@ -78,6 +78,37 @@ def test_a_column_run_and_arrays_give_the_same(tmp_path: Path, capsys: pytest.Ca
         ta.evaluate({"ppp": replace(tests["ppp"], unit="deg")}, diagonals=lengths)
 
 
+def test_columns_of_other_names(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A German table with decimal commas; its columns are named with the unit of their head, and without it."""
+    for name in NAMES:
+        rows = ["Soll;Richtung;Abweichung [um]"]
+        for cycle in range(3):
+            for way, order in ((1, slice(None)), (-1, slice(None, None, -1))):
+                for target, value in list(zip(TARGETS, readings(name, 3)[way][:, cycle], strict=True))[order]:
+                    rows.append(f"{target:.3f};{way};{1e3 * (value - target):.9f}".replace(".", ","))
+        (tmp_path / f"german_{name}.csv").write_text("\n".join(rows) + "\n")
+    german = [str(tmp_path / f"german_{name}.csv") for name in NAMES]
+    keys = ["--map", "column.target=Soll", "column.direction=Richtung"]
+    trees = []
+    for data, reading in ((files(tmp_path), []), (german, ["Abweichung"]), (german, ["Abweichung [um]"])):
+        given = [*keys, *(f"column.reading={one}" for one in reading)] if reading else []
+        assert main(["evaluate", *data, *LENGTHS, *given, "--out", str(tmp_path / "d.json")]) == 0
+        trees.append(json.loads((tmp_path / "d.json").read_text()))
+    for tree in trees[1:]:
+        assert tree["E_d"] == pytest.approx(trees[0]["E_d"], abs=2e-9)
+        assert [one["value"] for one in tree["squareness"]] == pytest.approx(
+            [one["value"] for one in trees[0]["squareness"]], abs=1e-11
+        )
+    capsys.readouterr()
+    assert main(["evaluate", *german, *LENGTHS, *keys[:-1], "column.direction=Richtg", "column.reading=Abw"]) == 2
+    told = capsys.readouterr().err
+    for name in NAMES:
+        assert f'german_{name}.csv: run german_{name}, column.direction: "Richtg" is not right' in told
+    assert "a column of the header, line 1: Soll, Richtung, Abweichung [um]" in told
+    assert main(["evaluate", *files(tmp_path), *LENGTHS, *keys]) == 2
+    assert "names its columns and units itself" in capsys.readouterr().err
+
+
 def test_one_cycle_gives_no_repeatability(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["evaluate", *files(tmp_path, 1), *LENGTHS, "--out", str(tmp_path / "d.json")]) == 0
     assert "R, A and u are not estimated" in capsys.readouterr().out
