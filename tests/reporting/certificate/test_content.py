@@ -90,3 +90,10 @@ def test_the_volume_is_that_of_predict(one: Content, tmp_path: Path) -> None:
     assert one.changed is not None
     assert 0.0 < one.changed.rms < one.changed.largest
     assert {frozenset(piece.axes) for piece in one.slices} == {frozenset(pair) for pair in ("XY", "XZ", "YZ")}
+
+
+def test_the_largest_uncertainty_is_that_of_the_whole_travel(tmp_path: Path) -> None:
+    """It grows along every axis: points inside the volume alone miss the corner, which `identify` and `export` name."""
+    line = {"basis": "polynomial", "powers": [1], "coefficients": [1e-5], "u": [1e-6]}
+    now = known(written(tmp_path / "now.json", {}, EXX=line, EXY=line, EXZ=line))
+    assert content(now, None, TOOL).volume.u_largest == pytest.approx(1e-6 * np.linalg.norm([540.0, 700.0, 600.0]))

@@ -192,13 +192,13 @@ def _ratio(difference: FloatArray, u: FloatArray) -> FloatArray:
 
 def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, float]) -> OverVolume:
     model = now.model
-    inside = volume_points(model.travel, model.axes, POINTS)
-    positions = np.hstack([inside, corners(model.travel, model.axes)])
+    # the largest values are at the corners as a rule; root mean squares are of the points inside alone
+    positions = np.hstack([volume_points(model.travel, model.axes, POINTS), corners(model.travel, model.axes)])
     moved = deviations(model, positions, tool)
-    known = [_uncertainty(now, inside, tool)]
+    known = [_uncertainty(now, positions, tool)]
     if before is not None:
         moved = moved - deviations(before.model, positions, tool)
-        known.append(_uncertainty(before, inside, tool))
+        known.append(_uncertainty(before, positions, tool))
     length = np.linalg.norm(moved, axis=0)
     worst = int(np.argmax(length))
     u = np.sqrt(np.sum([one.u**2 for one in known], axis=0))
@@ -210,9 +210,9 @@ def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, flo
         within=float(np.quantile(length[:POINTS], 0.95)),
         largest=float(length[worst]),
         largest_at=dict(zip(model.axes, positions[:, worst].tolist(), strict=True)),
-        u_rms=_length_rms(u),
-        u_prior_rms=_length_rms(by_prior),
-        u_usual_rms=_length_rms(np.sqrt(np.sum(np.square(usual), axis=0))) if by_both else float("nan"),
+        u_rms=_length_rms(u[:, :POINTS]),
+        u_prior_rms=_length_rms(by_prior[:, :POINTS]),
+        u_usual_rms=_length_rms(np.sqrt(np.sum(np.square(usual), axis=0))[:, :POINTS]) if by_both else float("nan"),
         u_largest=float(np.nanmax(u)) if np.isfinite(u).any() else float("nan"),
     )
 
