@@ -103,7 +103,7 @@ def case(machine: str, readings: int, plan: str) -> None:
     linearised(state)
     one_pass = time.process_time() - start
     matrix = readings * layout.count * 8 / 2**20
-    sigma = found.noise.of_instrument["laser"].sigma * 1e3
+    sigma = found.noise.of_group["laser"].sigma * 1e3
     print(
         f"{machine:14s} {readings:8d} {plan:7s} {layout.count:8d} {seconds:8.1f} {one_pass:8.2f} {memory:8.0f} "
         f"{matrix:8.0f} {sigma:8.4f}",
