@@ -76,8 +76,8 @@ def test_how_far_a_spoilt_reading_is_off_makes_no_difference_to_the_noise(small:
     data.reading[place] += off_by
     spoilt = estimate(small.model, replace(small.plan, reading=data.reading.copy()), given(small))
     assert spoilt.readings.outliers[place]
-    for name, noise in without.noise.of_instrument.items():
-        assert spoilt.noise.of_instrument[name].sigma == pytest.approx(noise.sigma, rel=0.1)
+    for name, noise in without.noise.of_group.items():
+        assert spoilt.noise.of_group[name].sigma == pytest.approx(noise.sigma, rel=0.1)
 
 
 def test_the_convention_levels_and_changes_nothing_seen_from_home(small: World) -> None:
@@ -154,4 +154,4 @@ def test_a_noise_that_is_stated_is_not_estimated(small: World) -> None:
     stated = dict.fromkeys(range(len(observed.runs)), 0.0005)
     found = estimate(small.model, observed, given(small), EstimationOptions(noise=stated))
     assert set(found.noise.scale_of_run.values()) == {5e-4}
-    assert all(noise.sigma == 1.0 for noise in found.noise.of_instrument.values())
+    assert all(noise.sigma == 1.0 for noise in found.noise.of_group.values())

@@ -37,6 +37,7 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import InputError
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import expected_readings
+from trueaxis.measurement.setup import Device
 from trueaxis.model.curves import Curve, LegendreCurve, PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 
@@ -157,6 +158,27 @@ def test_noise_is_estimated_from_what_is_left_over() -> None:
     found = identify_estimated(dmu60p_model(), mixed_data(cubic_errors(), seed=2), with_estimation(KNOWN, degree=3))
     assert found.report.freedom == 18 * 10 + 72 - 54
     assert found.report.noise_um == pytest.approx(0.3, rel=0.15)  # 198 degrees of freedom: 5 %
+
+
+def test_a_device_has_its_own_noise_and_is_not_judged_by_the_repeats_of_another() -> None:
+    """Two lasers: the one that is repeated is twenty times as fine. Runs of the other are sound, and are no misfit."""
+    plain = paper_data(generator(cubic_errors()), count=20)
+    rough = np.array([moving(run) == "Y" for run in plain.runs])
+    runs = tuple(
+        replace(run, device=Device(id="plain" if of else "fine")) for run, of in zip(plain.runs, rough, strict=True)
+    )
+    rows = np.concatenate([np.arange(plain.reading.size), *[np.flatnonzero(~rough[plain.run])] * 2])
+    data = replace(plain.of(rows), runs=runs)
+    noise = np.random.default_rng(7).normal(0.0, np.where(rough[data.run], 6e-3, 3e-4))
+    found = identify_estimated(
+        dmu60p_model(), replace(data, reading=data.reading + noise), with_estimation(KNOWN, degree=3)
+    )
+    fit = found.values.fit
+    assert fit is not None
+    assert (fit.state, fit.unjudged) == ("converged", ("laser plain",))
+    assert fit.chi2 == pytest.approx(1.0, abs=0.15)
+    told = {one.instrument: one.noise_um for one in found.report.noise_groups}
+    assert told == {"laser fine": pytest.approx(0.3, rel=0.1), "laser plain": pytest.approx(6.0, rel=0.2)}
 
 
 def test_published_points_leave_z_open_and_it_is_said() -> None:

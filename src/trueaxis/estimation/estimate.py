@@ -214,7 +214,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         ideal=setting.options.ideal,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
-            of_instrument=state.noise,
+            of_group=state.noise,
             scale_of_run={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
             stated=state.stated,
         ),

@@ -20,7 +20,7 @@ from trueaxis.estimation.own_part import own_part
 from trueaxis.estimation.posterior import Posterior, parted_root
 from trueaxis.estimation.reduce import reduced
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
-from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.runs import measured_runs, noise_groups
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
@@ -63,7 +63,8 @@ def expected(
     posterior, factors = expected_posterior(layout, observed, noise)
     spread, of_prior = parted_root([posterior], posterior.mean, layout.of_machine)
     unknowns, readings = layout.start(), observed.reading.size
-    instruments = frozenset(observed.runs[index].instrument for index in noise)
+    groups = noise_groups(observed.runs)
+    stated = frozenset(groups[index] for index in noise)
     return Estimate(
         layout=layout,
         values=layout.values(unknowns, given),
@@ -73,9 +74,7 @@ def expected(
         open=np.zeros((layout.count, 0)),
         scale=posterior.scale * layout.sizes,
         factors=factors,
-        noise=InstrumentNoise(
-            of_instrument=dict.fromkeys(sorted(instruments), UNIT), scale_of_run=dict(noise), stated=instruments
-        ),
+        noise=InstrumentNoise(of_group=dict.fromkeys(sorted(stated), UNIT), scale_of_run=dict(noise), stated=stated),
         readings=ReadingsLeft(
             residual=np.zeros(readings),
             outliers=np.zeros(readings, dtype=bool),

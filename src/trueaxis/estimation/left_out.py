@@ -170,9 +170,9 @@ def _others(runs: Sequence[MeasuredRun], group: Group) -> list[MeasuredRun]:
 
 
 def _others_tell(runs: Sequence[MeasuredRun], group: Group) -> bool:
-    """Whether what is left of the runs tells the noise of the instruments of the group."""
-    instruments = {one.instrument for one in runs if one.rows.index in group}
-    return instruments <= {one.instrument for one in _others(runs, group)}
+    """Whether what is left of the runs tells the noise of those of the group."""
+    noises = {one.noise_group for one in runs if one.rows.index in group}
+    return noises <= {one.noise_group for one in _others(runs, group)}
 
 
 def beside_all(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> dict[Group, Far]:
@@ -220,7 +220,7 @@ def beside_others(
     for one in runs:
         kinds = own_kinds(one.rows.run, layout.straightness[one.rows.index])
         left = residual_of(layout, model, one, now.unknowns, np.zeros(len(kinds)))
-        scale = scales[one.rows.index] if one.instrument in now.stated else 1.0
+        scale = scales[one.rows.index] if one.noise_group in now.stated else 1.0
         rows.append(_rows(without, expected, one, derivatives(layout, one.kept()), left, scale))
         zeros.append(rows[-1].own[:, [CLASSES[kind].zero for kind in kinds]])
     spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*(one.own for one in rows))
@@ -245,7 +245,7 @@ def _rows(
     """
     state, kept = fitted.state, one.kept()
     kinds = own_kinds(kept.run, state.layout.straightness[kept.index])
-    whiten = Whitening(state.noise[one.instrument], kept.steps, scale)
+    whiten = Whitening(state.noise[one.noise_group], kept.steps, scale)
     counts = len(kinds), state.layout.count
     triangle = run_triangle(each, left[one.good], whiten, counts)
     sizes = fitted.sizes.own_scale(kinds, fitted.x)
@@ -254,7 +254,7 @@ def _rows(
     directions = turned[:, np.abs(np.diag(root)) > TOLD]
     rest = triangle[:, -1] - directions @ (directions.T @ triangle[:, -1])
     further = max(int(one.good.sum()) - directions.shape[1], 0)
-    usual = 1.0 if one.instrument in state.stated else 1.0 / scale**2
+    usual = 1.0 if one.noise_group in state.stated else 1.0 / scale**2
     return _Rows(
         own=directions.T @ by_size[:, : sizes.size],
         others=directions.T @ triangle[:, sizes.size : -1],

@@ -137,7 +137,7 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
     """
     by_index = {one.rows.index: one for one in fitted.state.runs}
     others = [one for one in fitted.state.runs if one.rows.index not in sure]
-    if not {one.instrument for one in fitted.state.runs} <= {one.instrument for one in others}:
+    if not {one.noise_group for one in fitted.state.runs} <= {one.noise_group for one in others}:
         return []
     without, expected = widest(refit(others))
     found = []
@@ -220,7 +220,7 @@ def _of_factor(state: State, place: int, how: How) -> float:
     """
     one, factor = state.runs[place], abs(UNDONE[how])
     steps = np.diff(np.unique(np.round(one.reading[one.good], DECIMALS)))
-    white = max(float(state.scales[place]) * state.noise[one.instrument].white, SMALLEST)
+    white = max(float(state.scales[place]) * state.noise[one.noise_group].white, SMALLEST)
     shown = DISPLAY * float(steps.min(initial=np.inf)) / white
     coarse = float(np.log(np.hypot(1.0, factor * shown) / np.hypot(1.0, shown))) if np.isfinite(shown) else np.inf
     return int(one.good.sum()) * (float(np.log(factor)) - (coarse if factor != 1.0 else 0.0))

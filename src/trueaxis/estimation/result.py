@@ -25,11 +25,11 @@ SETTLED_BY_CONVENTION = 1e-6  # of their sizes: what is left of a combination th
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentNoise:
-    """of_instrument: by its name; scale_of_run: of each run with readings, by index, its noise over that of its
-    instrument; stated: instruments whose noise was given: the scales of their runs are mm.
+    """of_group: of each group of runs, by its name (`runs.noise_groups`); scale_of_run: of each run with readings, by
+    index, its noise over that of its group; stated: groups whose noise was given: the scales of their runs are mm.
     """
 
-    of_instrument: Mapping[str, Noise]
+    of_group: Mapping[str, Noise]
     scale_of_run: Mapping[int, float]
     stated: frozenset[str]
 

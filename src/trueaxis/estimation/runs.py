@@ -1,5 +1,7 @@
 """The readings of each run in the order in which they were taken, and which of them count."""
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,15 +11,17 @@ from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations, places
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Run
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class MeasuredRun:
-    """rows: of all readings; reading: (n,), mm; repeats: (n,), the same number where the same place was read; good:
-    (n,), which count.
+    """rows: of all readings; noise_group: see `noise_groups`; reading: (n,), mm; repeats: (n,), the same number where
+    the same place was read; good: (n,), which count.
     """
 
     rows: RunRows
+    noise_group: str
     reading: FloatArray
     repeats: IntArray
     good: BoolArray
@@ -40,13 +44,22 @@ class MeasuredRun:
             passed=self.rows.passed[keep],
             steps=np.diff(np.cumsum(self.rows.steps)[keep], prepend=0.0),
         )
-        return MeasuredRun(rows=rows, reading=self.reading[keep], repeats=self.repeats[keep], good=self.good[keep])
+        return replace(self, rows=rows, reading=self.reading[keep], repeats=self.repeats[keep], good=self.good[keep])
+
+
+def noise_groups(runs: Sequence[Run]) -> tuple[str, ...]:
+    """(n_runs,): which noise each run of a setup has: that of its kind of instrument or, where runs of the kind name
+    several devices, of its device.
+    """
+    devices = [(run.instrument, run.device.id if run.device else "") for run in runs]
+    several = Counter(kind for kind, _ in set(devices))
+    return tuple(f"{kind} {device or 'without a device'}" if several[kind] > 1 else kind for kind, device in devices)
 
 
 def measured_runs(observed: Observations) -> list[MeasuredRun]:
     """Every run that has readings. By time where all of a run's rows have one that rises, else by their order."""
     found = []
-    same = places(observed)
+    same, groups = places(observed), noise_groups(observed.runs)
     time = None if observed.context is None else observed.context.time
     for index in np.unique(observed.run).tolist():
         rows = np.flatnonzero(observed.run == index)
@@ -67,6 +80,7 @@ def measured_runs(observed: Observations) -> list[MeasuredRun]:
                     passed=at / (at[-1] or 1.0),
                     steps=steps / typical,
                 ),
+                noise_group=groups[index],
                 reading=observed.reading[rows],
                 repeats=same[rows],
                 good=np.ones(rows.size, dtype=bool),

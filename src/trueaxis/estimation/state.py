@@ -28,8 +28,8 @@ DRAWS, DRAWN = 8, 40_000
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class State:
-    """layout: linearised at the unknowns; given: values that are taken as they are; stated: instruments whose noise is
-    known, white and 1, the scales of their runs being the noise in mm; noise: of each instrument; scales: of each run;
+    """layout: linearised at the unknowns; given: values that are taken as they are; stated: groups of runs whose noise
+    is known, white and 1, the scales of their runs being the noise in mm; noise: of each group; scales: of each run;
     unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm; kept: derivatives of each run's readings,
     where they fit into the memory and stay.
     """
@@ -52,7 +52,7 @@ class State:
 
     def whitening(self, place: int, rows: RunRows) -> Whitening:
         """Of the rows that count of the run at a place."""
-        return Whitening(self.noise[self.runs[place].instrument], rows.steps, float(self.scales[place]))
+        return Whitening(self.noise[self.runs[place].noise_group], rows.steps, float(self.scales[place]))
 
     def derivatives(self, place: int) -> Iterable[Derivative]:
         """Of all readings of the run at a place, piece by piece."""
@@ -79,9 +79,9 @@ def started(
     kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
-    unstated = {one.instrument for one in runs if one.rows.index not in stated_noise}
+    unstated = {one.noise_group for one in runs if one.rows.index not in stated_noise}
     found = _first_noise(runs, residual, unstated)
-    scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
+    scales = [1.0 if one.noise_group in unstated else stated_noise[one.rows.index] for one in runs]
     return State(
         layout=layout.at(unknowns, given),
         given=given,
@@ -100,15 +100,15 @@ def _first_noise(
     runs: Sequence[MeasuredRun], residual: Sequence[FloatArray], unstated: Collection[str]
 ) -> dict[str, Noise]:
     found: dict[str, Noise] = {}
-    for name in sorted({one.instrument for one in runs}):
-        mine = [rest[one.good] for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
+    for name in sorted({one.noise_group for one in runs}):
+        mine = [rest[one.good] for one, rest in zip(runs, residual, strict=True) if one.noise_group == name]
         found[name] = first_noise(mine) if name in unstated else Noise(1.0)
     return found
 
 
 def with_first_noise(state: State) -> State:
     """With noise and scales as at the start, by what is left of the readings that count."""
-    stated = np.array([one.instrument in state.stated for one in state.runs])
+    stated = np.array([one.noise_group in state.stated for one in state.runs])
     noise = _first_noise(state.runs, state.residual, set(state.noise) - state.stated)
     return replace(state, noise=noise, scales=np.where(stated, state.scales, 1.0))
 
@@ -136,12 +136,12 @@ def of_runs(state: State, runs: Sequence[MeasuredRun]) -> State:
     """What it is of some of its runs, whose readings may be others than they were."""
     place_of = {one.rows.index: place for place, one in enumerate(state.runs)}
     places = [place_of[one.rows.index] for one in runs]
-    instruments = {one.instrument for one in runs}
+    groups = {one.noise_group for one in runs}
     return replace(
         state,
         runs=tuple(runs),
-        stated=state.stated & instruments,
-        noise={name: one for name, one in state.noise.items() if name in instruments},
+        stated=state.stated & groups,
+        noise={name: one for name, one in state.noise.items() if name in groups},
         scales=state.scales[places],
         own=tuple(state.own[place] for place in places),
         residual=tuple(
@@ -206,7 +206,7 @@ def _misfit(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]
 
 
 def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, known: bool = False) -> State:
-    """With the noise of every instrument whose noise is not stated, from residuals of draws of the posterior.
+    """With the noise of every group of runs whose noise is not stated, from residuals of draws of the posterior.
 
     known: whether its shape is nearly as it is already.
     """
@@ -221,7 +221,7 @@ def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, kn
         draws.append(rest[one.good][:, np.newaxis] - np.concatenate(change))
     noise, scales = dict(state.noise), state.scales.copy()
     for name in sorted(state.noise.keys() - state.stated):
-        members = [place for place, one in enumerate(state.runs) if one.instrument == name]
+        members = [place for place, one in enumerate(state.runs) if one.noise_group == name]
         steps = [state.runs[place].kept().steps for place in members]
         enough = -(-DRAWN // max(sum(one.size for one in steps), 1))
         found, scales[members] = noise_of_draws(
@@ -255,7 +255,7 @@ def without_outliers(state: State, posterior: Posterior, sharp: bool) -> State:
 def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judged:
     """The readings of the run at a place beside what the estimate makes of them."""
     one, rest, scale = state.runs[place], state.residual[place], float(state.scales[place])
-    noise, known = state.noise[one.instrument], one.instrument in state.stated
+    noise, known = state.noise[one.noise_group], one.noise_group in state.stated
     more = excess(rest, scale) if known else 1.0
     taken = np.zeros((rest.size, 0))
     if rest.size <= WINDOW:  # of a longer run no reading is known by what the others say of the unknowns

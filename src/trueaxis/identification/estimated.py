@@ -13,7 +13,7 @@ from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations, copied_runs
 from trueaxis.estimation.result import Estimate
-from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.runs import measured_runs, noise_groups
 from trueaxis.estimation.tool_point import ORIGIN, tool_summary
 from trueaxis.identification.estimated_effects import covariances, with_uncertainty
 from trueaxis.identification.estimated_report import estimated_report
@@ -147,17 +147,16 @@ def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
 
 def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
     good = ~found.readings.outliers
-    of_instrument, stated = found.noise.of_instrument, found.noise.stated
+    of_group, stated = found.noise.of_group, found.noise.stated
     independent = {
-        one.rows.index: of_instrument[one.instrument].independent(one.rows.steps) for one in measured_runs(observed)
+        one.rows.index: of_group[one.noise_group].independent(one.rows.steps) for one in measured_runs(observed)
     }
     sigma = np.array(
         [
-            of_instrument[run.instrument].sigma
-            * (found.noise.scale_of_run.get(index, np.nan) if run.instrument in stated else 1.0)
-            if run.instrument in of_instrument
+            of_group[group].sigma * (found.noise.scale_of_run.get(index, np.nan) if group in stated else 1.0)
+            if group in of_group
             else np.nan
-            for index, run in enumerate(observed.runs)
+            for index, group in enumerate(noise_groups(observed.runs))
         ]
     )
     estimated = sigma[observed.run]

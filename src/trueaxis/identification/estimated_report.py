@@ -9,6 +9,7 @@ from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.identification.estimated_effects import effect_reports
 from trueaxis.identification.fit_quality import FitQuality
 from trueaxis.identification.notes import dimension_notes, estimate_notes
@@ -57,8 +58,8 @@ def estimated_report(
     good = ~found.readings.outliers
     unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
     scale = np.array([found.noise.scale_of_run.get(index, np.nan) for index in range(len(observed.runs))])
-    sigma = {name: one.sigma for name, one in found.noise.of_instrument.items()}
-    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
+    sigma = {name: one.sigma for name, one in found.noise.of_group.items()}
+    each = np.array([sigma.get(group, np.nan) for group in noise_groups(observed.runs)]) * scale
     angle = angle_rows(observed.run, observed.runs)
     rms = _rms(found.readings.residual, good & ~angle), _rms(found.readings.residual, good & angle)
     noise = _rms(each[observed.run], ~angle), _rms(each[observed.run], angle)
@@ -154,7 +155,7 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
 
 
 def _noise_origin(found: Estimate) -> str:
-    estimated = sorted(found.noise.of_instrument.keys() - found.noise.stated)
+    estimated = sorted(found.noise.of_group.keys() - found.noise.stated)
     if not estimated:
         return "stated"
     which = f" of {enumerated(estimated)}" if found.noise.stated else ""
@@ -162,13 +163,13 @@ def _noise_origin(found: Estimate) -> str:
 
 
 def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
-    """Of every instrument, over its runs; what of it is slow."""
-    groups = []
-    for name, one in found.noise.of_instrument.items():
-        scales = [scale for index, scale in found.noise.scale_of_run.items() if observed.runs[index].instrument == name]
+    """Of every group of runs with one noise; what of it is slow."""
+    groups, of_run = [], noise_groups(observed.runs)
+    for name, one in found.noise.of_group.items():
+        scales = [scale for index, scale in found.noise.scale_of_run.items() if of_run[index] == name]
         size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
         slow = f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
         told = " (stated)" if name in found.noise.stated else slow
-        stated, unit = name in found.noise.stated, small_unit(name)
+        stated, unit = name in found.noise.stated, small_unit(observed.runs[of_run.index(name)].instrument)
         groups.append(NoiseGroupReport(group=name + told, noise_um=size, unit=unit, instrument=name, stated=stated))
     return tuple(groups)

@@ -13,10 +13,11 @@ from scipy.special import chdtri
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, units
 from trueaxis.estimation.observations import Observations, pure_error
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
 from trueaxis.measurement.columns import BoolArray
-from trueaxis.measurement.instrument_kinds import INSTRUMENTS, SmallUnit, small_unit
+from trueaxis.measurement.instrument_kinds import SmallUnit, small_unit
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.setup import Run
@@ -121,12 +122,13 @@ def stands_still(step: FloatArray, u: FloatArray, sigma: float | None) -> bool:
 
 
 def noise_of_repeats(observed: Observations) -> FloatArray:
-    """(n,): standard deviation of each reading from repeats of its instrument, mm; NaN where it has too few of them."""
-    instrument = np.array([INSTRUMENTS.index(run.instrument) for run in observed.runs], dtype=np.int64)[observed.run]
-    squares, freedom = pure_error(observed, instrument, len(INSTRUMENTS))
+    """(n,): standard deviation of each reading from repeats of its group of runs, mm; NaN where it has too few."""
+    names, of_run = np.unique(noise_groups(observed.runs), return_inverse=True)
+    group = of_run[observed.run]
+    squares, freedom = pure_error(observed, group, names.size)
     enough = freedom >= LEAST_FREEDOM
-    of_instrument = np.where(enough, np.sqrt(squares / np.maximum(freedom, 1)), np.nan)
-    return np.asarray(of_instrument[instrument])
+    of_group = np.where(enough, np.sqrt(squares / np.maximum(freedom, 1)), np.nan)
+    return np.asarray(of_group[group])
 
 
 def expected_sizes(
@@ -150,8 +152,8 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
         return FitQuality(Fit("converged"), each)
     counted, told = residuals.count > 0.0, np.isfinite(residuals.noise)
     known, unknown = counted & told, counted & ~told
-    others = [runs[index] for index in np.unique(residuals.run[unknown])]
-    unjudged = tuple(sorted({run.instrument for run in others}))
+    silent, groups = np.unique(residuals.run[unknown]).tolist(), noise_groups(runs)
+    others, unjudged = [runs[index] for index in silent], tuple(sorted({groups[index] for index in silent}))
     chi2, far = _far_from_noise(residuals, runs, known) if known.any() else (None, None)
     if far is None:
         far = _larger_than_prior(residuals, unknown, [one.run for one in each if one.run in {run.id for run in others}])
@@ -271,23 +273,23 @@ def expected_size(machine: MachineModel, run: Run, positions: FloatArray) -> Flo
 def noise_remedies(
     observed: Observations, stated: Mapping[int, float], each: Sequence[RunResidual], *, by_device: bool
 ) -> dict[str, float]:
-    """A sentence for each instrument whose residuals are far from its stated noise, and their ratio.
+    """A sentence for each instrument (or device) whose residuals are far from its stated noise, and their ratio.
 
     stated: of runs by index, mm; each: residuals of every run over that noise; by_device: whether the device table says
     it, else the option. The middle run decides: of noise that is wrong all runs are off, of a faulty run that one.
     """
     ratio = {one.run: one.ratio for one in each if one.ratio is not None}
-    found = {}
-    for instrument in dict.fromkeys(observed.runs[index].instrument for index in stated):
-        runs = [index for index in stated if observed.runs[index].instrument == instrument]
+    found, groups = {}, noise_groups(observed.runs)
+    for group in dict.fromkeys(groups[index] for index in stated):
+        runs = [index for index in stated if groups[index] == group]
         known = [ratio[observed.runs[index].id] for index in runs if observed.runs[index].id in ratio]
         middle = float(np.median(known)) if known else 1.0
         if 1.0 / MISFIT <= middle <= MISFIT:
             continue
-        unit, small = small_unit(instrument), 1e3 * float(np.median([stated[index] for index in runs]))
+        unit, small = small_unit(observed.runs[runs[0]].instrument), 1e3 * float(np.median([stated[k] for k in runs]))
         times = f"{middle:.2g} times" if middle > 1.0 else f"1/{1.0 / middle:.2g} of"
         found[
-            f"the residuals of {instrument} are {times} the noise that "
+            f"the residuals of {group} are {times} the noise that "
             f"{(DEVICE if by_device else OPTION).format(unit=unit)} ({small:.3g} {unit}): leave it out and the noise "
             f"is estimated, or state about {small * middle:.2g} {unit}"
         ] = middle

@@ -11,6 +11,7 @@ from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.noise_of_residuals import SHARES
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
@@ -101,11 +102,12 @@ def estimate_notes(
             f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
             "remove them from the file to have them estimated"
         )
-    for name, one in found.noise.of_instrument.items():
-        drift = CLASSES[f"{name} drift"].size
+    kinds = dict(zip(noise_groups(observed.runs), (run.instrument for run in observed.runs), strict=True))
+    for name, one in found.noise.of_group.items():
+        drift = CLASSES[f"{kinds[name]} drift"].size
         if one.slow > max(SLOW * one.white, DRIFT * drift):
             least = "at least " if one.slow >= MOST_SLOW * one.sigma else ""
-            unit = small_unit(name)
+            unit = small_unit(kinds[name])
             notes.append(
                 f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} {unit}, is {least}"
                 f"{one.slow / one.white:.2g} times its white part and more than {DRIFT:g} times the usual drift "
