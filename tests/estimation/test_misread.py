@@ -1,6 +1,6 @@
 """A run that was read with the wrong sign, in the wrong unit or order is named; no other data set is suspected."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,13 +14,15 @@ from trueaxis.estimation import swapped as swapped_module
 from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.evidence import evidence_at
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.misread import undone_reading
+from trueaxis.estimation.misread import Fault, fault_ratios, undone_reading
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.state import linearised
 from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Device
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +41,7 @@ def test_a_reversed_run_is_named(readings: Observations) -> None:
     assert found.values.fit is not None
     assert found.values.fit.state == "misfit"
     assert found.values.fit.runs == ("X-2",)
-    assert "as if its sign were reversed" in found.report.quality.reason
+    assert "run X-2 reads as if the sign were reversed" in found.report.quality.reason
 
 
 def test_a_reversed_run_that_the_noise_has_taken_is_named(readings: Observations) -> None:
@@ -77,7 +79,31 @@ def test_two_runs_under_each_others_name_are_named_together(readings: Observatio
     assert "runs X-1 and Y-5 read as if each had the other's readings" in quality.reason
 
 
-def test_a_swap_is_as_much_likelier_as_the_evidence_says(
+def test_all_runs_of_an_instrument_are_named_together(readings: Observations) -> None:
+    """Either of two may have the wrong sign; the unit is that of the smaller one."""
+    lasers = [run.id for run in readings.runs if run.instrument == "laser"]
+    found = identify_estimated(model_with(), turned(readings, *lasers), IdentifyOptions(known=KNOWN))
+    assert found.report.quality.fit.runs == ("xy", "xz", *lasers)
+    assert "both runs of ballbar, or all 18 runs of laser, read as if the sign were" in found.report.quality.reason
+    small = scaled(scaled(readings, "xy", 1e-3), "xz", 1e-3)
+    found = identify_estimated(model_with(), small, IdentifyOptions(known=KNOWN))
+    assert found.report.quality.fit.runs == ("xy", "xz")
+    assert "both runs of ballbar read as if the values were 1000 times too small" in found.report.quality.reason
+
+
+def test_of_three_instruments_the_one_that_the_others_contradict_is_named(readings: Observations) -> None:
+    """Lines of X by a laser, of Y and Z by another, a ball bar."""
+    other = Device(id="other")
+    runs = tuple(
+        replace(one, device=other if one.id[0] in "YZ" else Device(id="laser")) if one.instrument == "laser" else one
+        for one in readings.runs
+    )
+    named = {one.id for one in runs if one.device is not None and one.device.id == "other"}
+    found = estimate(model_with(), turned(replace(readings, runs=runs), *named), KNOWN).readings.misread
+    assert {readings.runs[index].id for index, one in found.items() if one.sure} == named
+
+
+def test_a_fault_is_as_much_likelier_undone_as_the_evidence_says(
     readings: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The marginal likelihoods of both, by the same sizes, noise and linearisation, from QR factors of all readings."""
@@ -89,21 +115,32 @@ def test_a_swap_is_as_much_likelier_as_the_evidence_says(
 
     monkeypatch.setattr("trueaxis.estimation.estimate._wrong", keep)
     estimate(model_with(), swapped(readings, "X-1", "Y-5"), KNOWN)
-    ((fitted, posterior),) = kept
+    estimate(model_with(), turned(readings, "xy", "xz"), KNOWN)
+    (fitted, posterior), (reversed_bars, its_posterior) = kept
     state, names = fitted.state, [one.rows.run.id for one in fitted.state.runs]
     every = {frozenset(names[place] for place in swap.places): odds for swap, odds in
              swap_ratios(fitted, posterior).items()}  # fmt: skip
     assert max(every, key=lambda pair: every[pair]) == {"X-1", "Y-5"}
     pair = [names.index("X-1"), names.index("Y-5")]
-    runs, residual = list(state.runs), list(state.residual)
-    for place, other in zip(pair, reversed(pair), strict=True):
-        runs[place] = replace(state.runs[place], reading=state.runs[other].reading)
-        residual[place] = state.residual[place] + state.runs[other].reading - state.runs[place].reading
-    after = replace(state, runs=tuple(runs), residual=tuple(residual))
-    with_swap, without = (evidence_at(fitted.sizes, linearised(one), fitted.x) for one in (after, state))
-    gain = with_swap - without
+    gain = by_evidence(fitted, {a: state.runs[b].reading for a, b in (pair, pair[::-1])})
     assert gain > 0.0
     assert every[frozenset({"X-1", "Y-5"})] == pytest.approx(gain, rel=1e-6)
+    both = Fault((names.index("xy"), names.index("xz")), "reversed")
+    gain = by_evidence(reversed_bars, {place: -reversed_bars.state.runs[place].reading for place in both.places})
+    assert gain > 0.0
+    assert fault_ratios(reversed_bars, its_posterior)[both] == pytest.approx(gain, rel=1e-6)
+
+
+def by_evidence(fitted: Fitted, changed: Mapping[int, FloatArray]) -> float:
+    """Logarithm of how much likelier readings are where some runs, by their places, have others."""
+    state = fitted.state
+    runs, residual = list(state.runs), list(state.residual)
+    for place, reading in changed.items():
+        runs[place] = replace(state.runs[place], reading=reading)
+        residual[place] = state.residual[place] + reading - state.runs[place].reading
+    after = replace(state, runs=tuple(runs), residual=tuple(residual))
+    there, here = (evidence_at(fitted.sizes, linearised(one), fitted.x) for one in (after, state))
+    return there - here
 
 
 def test_repeats_of_a_run_are_never_swapped(readings: Observations) -> None:

@@ -1,26 +1,28 @@
 """Runs that were misread: sign reversed, wrong unit, targets labelled from the wrong end, readings of another run.
 
-Every such fault has an inverse. A run is judged by what the others expect of it: as it is, and with each fault undone.
-Where the noise is estimated, that estimate has taken a faulty run for noise, by which the run is hardly likelier with
-the fault undone. So every fault that is likelier is undone on trial, noise and sizes are estimated anew, and the
-marginal likelihoods of both are compared: the data are the same but for a factor or an order.
+All runs of an instrument may have the same wrong sign or unit: that is one fault, not many. Every such fault has an
+inverse. A run is judged by what the others expect of it: as it is, and with each fault undone. Where the noise is
+estimated, that estimate has taken a faulty run for noise, by which the run is hardly likelier with the fault undone. So
+every fault that is likelier is undone on trial, noise and sizes are estimated anew, and the marginal likelihoods of
+both are compared: the data are the same but for a factor or an order.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.changed import ChangesOfRun, changes_of_run, log_ratio
 from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
-from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.state import DISPLAY, State
-from trueaxis.estimation.swapped import likelier, swap_ratios
+from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.measurement.machine import FloatArray
 
 How = Literal["reversed", "small", "large", "mirrored", "swapped"]
@@ -28,6 +30,7 @@ How = Literal["reversed", "small", "large", "mirrored", "swapped"]
 # By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
 # each other's readings.
 UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
+OF_INSTRUMENTS: tuple[How, ...] = ("reversed", "small", "large")  # that all runs of one may have together
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
 SURE = float(2.0 * np.log(1e3))
@@ -42,6 +45,8 @@ TRIED = 1.0
 # Likeliest faults that are undone on trial, each at the cost of an estimate. Of 20 worlds as they should be no run was
 # likelier reversed at all, of 20 with one reversed that one alone; where the model is badly wrong all runs may be.
 MOST_TRIALS = 4
+# mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
+LEAST_NOISE = 2e-5
 DECIMALS = 9  # of mm: readings that differ by less are the same
 FEWEST_TARGETS = 3
 TARGETS = 6  # decimals of mm or deg, within which targets are the same
@@ -52,12 +57,14 @@ Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Misread:
     """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone;
-    partner: the run, by index, whose readings it has if they are swapped.
+    partner: the run, by index, whose readings it has if they are swapped; together: the runs, by index, of an
+    instrument of which all have the fault, itself among them; else none.
     """
 
     how: How
     log_odds: float
     partner: int | None = None
+    together: tuple[int, ...] = ()
 
     @property
     def sure(self) -> bool:
@@ -66,14 +73,19 @@ class Misread:
 
 
 @dataclass(frozen=True, slots=True)
-class _Fault:
-    """places: of the run, or of the two that are swapped; among: of how many such faults it is one, of which one at
-    most is there: what is likelier by it counts as much less.
+class Fault:
+    """places: of the run, of all runs of an instrument, or of the two that are swapped; among: of how many such faults
+    it is one, of which one at most is there: what is likelier by it counts as much less.
     """
 
     places: tuple[int, ...]
     how: How
     among: int = 1
+
+    @property
+    def of_instrument(self) -> bool:
+        """Whether all runs of one have it."""
+        return len(self.places) > 1 and self.how != "swapped"
 
     @property
     def price(self) -> float:
@@ -93,7 +105,7 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
         state = fitted.state
         odds = {key: odd for key, odd in _ratios(fitted, posterior).items() if not undone & set(key.places)}
         likeliest = sorted((key for key in odds if odds[key] > TRIED), key=lambda key: -odds[key])
-        gains: dict[_Fault, float] = {}
+        gains: dict[Fault, float] = {}
         following = fitted
         for fault in likeliest[:MOST_TRIALS]:
             runs = _with_undone(state.runs, fault)
@@ -111,23 +123,67 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
         best = max(gains.values())
         alike = [key for key in gains if gains[key] > max(best - SURE, SUSPICIOUS)]
         for fault in sorted(alike, key=lambda key: -gains[key]):
-            indices = [state.runs[place].rows.index for place in fault.places]
+            indices = tuple(state.runs[place].rows.index for place in fault.places)
             for index, partner in zip(indices, reversed(indices), strict=True):
-                with_it = partner if fault.how == "swapped" else None
-                found.setdefault(index, Misread(how=fault.how, log_odds=gains[fault], partner=with_it))
+                wrong = Misread(how=fault.how, log_odds=gains[fault])
+                if fault.how == "swapped":
+                    wrong = replace(wrong, partner=partner)
+                elif fault.of_instrument:
+                    wrong = replace(wrong, together=indices)
+                found.setdefault(index, wrong)
         if best <= SURE:
             return found
-        undone |= {place for fault in alike for place in fault.places}
+        undone |= {place for fault in alike if not fault.of_instrument for place in fault.places}
         fitted = following
         posterior = fitted.posterior()
 
 
-def _ratios(fitted: Fitted, posterior: Posterior) -> dict[_Fault, float]:
-    """Of every fault, by the noise and sizes of the state."""
-    single = {_Fault((place,), how): odds for (place, how), odds in log_ratios(fitted, posterior).items()}
+def _ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
+    """Of every fault, by the noise and sizes of the state.
+
+    Infinite where all runs of an instrument may be too small and have less noise than any: an estimate with such noise
+    follows them, whatever the others say.
+    """
+    noise = fitted.state.noise
+    quiet = {group for group in noise if noise[group].sigma < LEAST_NOISE}
     swaps = swap_ratios(fitted, posterior).items()
-    double = {_Fault(swap.places, "swapped", swap.among): odds for swap, odds in swaps}
-    return {fault: odds - fault.price for fault, odds in (single | double).items()}
+    double = {Fault(swap.places, "swapped", swap.among): odds for swap, odds in swaps}
+    found = {fault: odds - fault.price for fault, odds in (fault_ratios(fitted, posterior) | double).items()}
+    small = (fault for fault in found if fault.of_instrument and fault.how == "small")
+    return found | {one: np.inf for one in small if fitted.state.runs[one.places[0]].noise_group in quiet}
+
+
+def fault_ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
+    """Logarithm of how much likelier readings are with a fault of a run undone, or one of all runs of an instrument
+    beside others: by the noise and sizes of the state.
+    """
+    state = fitted.state
+    changed: dict[int, ChangesOfRun] = {}
+    columns: dict[int, list[How]] = {}
+    for place, one in enumerate(state.runs):
+        # without a prior readings of any unit are as likely: more of one unit than of another tells nothing
+        hows = [how for how, factor in UNDONE.items() if not (fitted.sizes.flat and abs(factor) != 1.0)]
+        each = {how: reading - one.reading for how in hows if (reading := undone_reading(one, how)) is not None}
+        columns[place] = list(each)
+        changed[place] = changes_of_run(fitted, posterior, place, list(each.values()))
+    faults = [Fault((place,), how) for place, hows in columns.items() for how in hows]
+    found = {}
+    for fault in [*faults, *_of_instruments(state, columns)]:
+        parts = [(changed[place], columns[place].index(fault.how)) for place in fault.places]
+        found[fault] = log_ratio(parts) + _of_factor(state, fault)
+    return found
+
+
+def _of_instruments(state: State, columns: Mapping[int, Sequence[How]]) -> Iterator[Fault]:
+    """Those that all runs of an instrument may have, beside another. columns: what each run may have, by its place."""
+    groups: dict[str, list[int]] = {}
+    for place, one in enumerate(state.runs):
+        groups.setdefault(one.noise_group, []).append(place)
+    if len(groups) > 1:
+        for how, members in product(OF_INSTRUMENTS, groups.values()):
+            places = tuple(place for place in members if how in columns[place])
+            if len(places) > 1:
+                yield Fault(places, how)
 
 
 def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> list[Contradiction]:
@@ -154,36 +210,6 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
             )
             if max(undone.log_p, now.log_p) < -SURE:
                 found.append(contradiction((one.rows.index,), now, now, without, expected))
-    return found
-
-
-def log_ratios(fitted: Fitted, posterior: Posterior) -> dict[tuple[int, How], float]:
-    """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
-    the state.
-
-    With p what the others expect of the whitened readings y of a run, S the covariance of y - p, and z the readings
-    with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) - (z - p)' S^-1 (z - p)] / 2, and that of the factor
-    for every reading. S^-1 is what is left of 1 when the run's own unknowns and those that runs share are taken out,
-    and S^-1 (y - p) is the residual of the estimate of all runs.
-    """
-    found: dict[tuple[int, How], float] = {}
-    state, sizes, x = fitted.state, fitted.sizes, fitted.x
-    for place, one in enumerate(state.runs):
-        # without a prior readings of any unit are as likely: more of one unit than of another tells nothing
-        hows = [how for how, factor in UNDONE.items() if not (sizes.flat and abs(factor) != 1.0)]
-        each = {how: reading for how in hows if (reading := undone_reading(one, how)) is not None}
-        columns = np.column_stack([state.residual[place], one.reading, *each.values()])[one.good]
-        residual, *white = state.whitening(place, one.kept())(columns).T
-        readings = np.stack(white, axis=1)
-        rest = own_part_of(state, sizes, x, place).rest(readings)
-        shared = posterior.spread.T @ by_shared(state, place, rest)
-        squares = readings.T @ rest - shared.T @ shared
-        for column, how in enumerate(each, 1):
-            change = readings[:, column] - readings[:, 0]  # (z - p) = (y - p) + change
-            by_shape = float(squares[column, column] - 2.0 * squares[0, column] + squares[0, 0])
-            worse = 2.0 * float(change @ residual) + by_shape
-            usual = max(float(residual @ residual), float(residual.size))
-            found[place, how] = likelier(worse, usual, residual.size) + _of_factor(state, place, how)
     return found
 
 
@@ -214,19 +240,24 @@ def _mirrored(one: MeasuredRun) -> IntArray | None:
     return np.asarray(order[start[count.size - 1 - target] + turn])
 
 
-def _of_factor(state: State, place: int, how: How) -> float:
+def _of_factor(state: State, fault: Fault) -> float:
     """Logarithm of the density of readings that are multiplied: finer ones are denser, but not what is coarser than the
     noise since the display shows no more. state: with the readings as they are.
     """
-    one, factor = state.runs[place], abs(UNDONE[how])
-    steps = np.diff(np.unique(np.round(one.reading[one.good], DECIMALS)))
-    white = max(float(state.scales[place]) * state.noise[one.noise_group].white, SMALLEST)
-    shown = DISPLAY * float(steps.min(initial=np.inf)) / white
-    coarse = float(np.log(np.hypot(1.0, factor * shown) / np.hypot(1.0, shown))) if np.isfinite(shown) else np.inf
-    return int(one.good.sum()) * (float(np.log(factor)) - (coarse if factor != 1.0 else 0.0))
+    factor, value = abs(UNDONE[fault.how]), 0.0
+    if factor == 1.0:
+        return value
+    for place in fault.places:
+        one = state.runs[place]
+        steps = np.diff(np.unique(np.round(one.reading[one.good], DECIMALS)))
+        white = max(float(state.scales[place]) * state.noise[one.noise_group].white, SMALLEST)
+        shown = DISPLAY * float(steps.min(initial=np.inf)) / white
+        coarse = float(np.log(np.hypot(1.0, factor * shown) / np.hypot(1.0, shown))) if np.isfinite(shown) else np.inf
+        value += int(one.good.sum()) * (float(np.log(factor)) - coarse)
+    return value
 
 
-def _with_undone(runs: Sequence[MeasuredRun], fault: _Fault) -> list[MeasuredRun] | None:
+def _with_undone(runs: Sequence[MeasuredRun], fault: Fault) -> list[MeasuredRun] | None:
     """All readings count again."""
     whole = [replace(one, good=np.ones(one.reading.size, dtype=bool)) for one in runs]
     for place, partner in zip(fault.places, reversed(fault.places), strict=True):
@@ -237,13 +268,12 @@ def _with_undone(runs: Sequence[MeasuredRun], fault: _Fault) -> list[MeasuredRun
     return whole
 
 
-def _gain(one: Fitted, other: Fitted, fault: _Fault) -> float:
+def _gain(one: Fitted, other: Fitted, fault: Fault) -> float:
     """Logarithm of how much likelier readings are by the other estimate."""
     value = evidence_ratio(one, other)
     if fault.how != "swapped":
         before, after = counting_in_both(one.state, other.state)
-        (place,) = fault.places
-        value += _of_factor(replace(before, noise=after.noise, scales=after.scales), place, fault.how)
+        value += _of_factor(replace(before, noise=after.noise, scales=after.scales), fault)
     return value - fault.price
 
 

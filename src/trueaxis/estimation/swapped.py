@@ -6,12 +6,11 @@ from itertools import combinations
 
 import numpy as np
 
+from trueaxis.estimation.changed import changes_of_run, log_ratio
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import beside_others, widest
-from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.measurement.machine import FloatArray
 
 # Runs of as many readings of an instrument that are compared, those that fit worst: time grows with their square
 MOST_ALIKE = 60
@@ -32,64 +31,20 @@ def swap_ratios(fitted: Fitted, posterior: Posterior) -> dict[Swap, float]:
     """Of every two runs that could have each other's readings: logarithm of how much likelier they are swapped, by the
     noise and sizes of the state. posterior: of what is fitted. None without a prior: errors that are held at zero then
     make readings likelier in the wrong place.
-
-    As for a single run (`misread.log_ratios`), with P the inverse of the covariance of the whitened readings, c the
-    change of both runs by the swap and r = P (y - p) what is left of them, the logarithm is -(2 c' r + c' P c) / 2.
     """
+    runs = fitted.state.runs
     found: dict[Swap, float] = {}
     for members in () if fitted.sizes.flat else _alike(fitted):
-        pairs = [pair for pair in combinations(members, 2) if _differ(*(fitted.state.runs[one] for one in pair))]
-        partners = np.bincount(np.ravel(pairs), minlength=len(fitted.state.runs)) if pairs else np.zeros(0)
-        told = {one: _told(fitted, posterior, one, members) for one in sorted({one for pair in pairs for one in pair})}
+        pairs = [pair for pair in combinations(members, 2) if _differ(*(runs[one] for one in pair))]
+        partners = np.bincount(np.ravel(pairs), minlength=len(runs)) if pairs else np.zeros(0)
+        changed = {
+            one: changes_of_run(fitted, posterior, one, [runs[other].reading - runs[one].reading for other in members])
+            for one in sorted({one for pair in pairs for one in pair})
+        }
         for a, b in pairs:
-            each = [(told[one], members.index(other)) for one, other in ((a, b), (b, a))]
-            linear = sum(float(one.linear[column]) for one, column in each)
-            shared = np.sum([one.shared[:, column] for one, column in each], axis=0)
-            square = sum(float(one.square[column]) for one, column in each) - float(shared @ shared)
-            usual, size = sum(one.left for one, _ in each), sum(one.size for one, _ in each)
-            swap = Swap((a, b), int(partners[[a, b]].max()))
-            found[swap] = likelier(2.0 * linear + square, max(usual, size), size)
+            each = [(changed[one], members.index(other)) for one, other in ((a, b), (b, a))]
+            found[Swap((a, b), int(partners[[a, b]].max()))] = log_ratio(each)
     return found
-
-
-def likelier(worse: float, usual: float, size: int) -> float:
-    """Logarithm of how much likelier readings become where their square over the noise grows by `worse`.
-
-    Sizes that were estimated with a fault may be far too small for readings without it: what is worse by them counts as
-    by a normal distribution of unknown width, about the `usual` square of so many readings.
-    """
-    return -0.5 * worse if worse < 0.0 else -0.5 * size * float(np.log1p(worse / usual))
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class _Told:
-    """What a run has of the pairs it is in, by the place of the partner among the members: linear, square: (m,), r' c
-    and the part of c' P c that is the run's own; shared: (n_unknowns, m); left: square of what is left; size: readings.
-    """
-
-    linear: FloatArray
-    square: FloatArray
-    shared: FloatArray
-    left: float
-    size: int
-
-
-def _told(fitted: Fitted, posterior: Posterior, place: int, members: Sequence[int]) -> _Told:
-    state = fitted.state
-    one = state.runs[place]
-    changes = [state.runs[other].reading - one.reading for other in members]
-    columns = np.column_stack([state.residual[place], *changes])[one.good]
-    white = state.whitening(place, one.kept())(columns)
-    left, change = white[:, 0], white[:, 1:]
-    rest = own_part_of(state, fitted.sizes, fitted.x, place).rest(change)
-    shared = posterior.spread.T @ by_shared(state, place, rest)
-    return _Told(
-        linear=left @ change,
-        square=np.sum(change * rest, axis=0),
-        shared=shared,
-        left=float(left @ left),
-        size=left.size,
-    )
 
 
 def _alike(fitted: Fitted) -> list[list[int]]:

@@ -5,25 +5,24 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.estimation.misread import SURE, How, Misread
+from trueaxis.estimation.misread import LEAST_NOISE, SURE, How, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
 
 READS: Mapping[How, str] = {
-    "reversed": "as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)",
-    "small": "as if it were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
-    "large": "as if it were 1000 times too large (um written for mm? mrad for rad?)",
-    "mirrored": "as if its targets were labelled from the other end (positions in readings.csv)",
-    "swapped": "as if its readings were those of another run",
+    "reversed": "as if the sign were reversed (reading, direction in setup.toml, or sense of an axis)",
+    "small": "as if the values were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
+    "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
+    "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
+    "swapped": "as if the readings were those of another run",
 }
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.
 LEAST_MACHINE = 1.0 / 30.0
-# mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
-LEAST_NOISE = 2e-5
 MOST_RUNS = 10  # that are listed
 LEAST_P = 1e-12  # smaller probabilities are no figures: the tails of noise are not known so far out
 
@@ -69,6 +68,7 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
     sure = {index: one for index, one in found.readings.misread.items() if one.sure}
+    sure = dict(sorted(sure.items(), key=lambda item: len(item[1].together)))  # those of fewest runs first
     ids = tuple(observed.runs[index].id for index in sure)
     reasons, named = [_of_runs(observed, sure) if sure else _of_all(found)], ids
     contradicting = _contradicting(observed, found) if prior else None
@@ -101,23 +101,39 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
     """`run X reads ...` of each, `runs X and Y ...` once of two that are swapped."""
     done = set[int]()
     for index, one in misread.items():
-        named = observed.runs[index].id
-        if one.partner is None:
-            yield f"run {named} {verb} {READS[one.how]}", one
-        elif index not in done:
+        if index in done:
+            continue
+        who = _who(observed, index, one)
+        if one.partner is not None:
             done |= {index, one.partner}
-            both = (
-                f"runs {named} and {observed.runs[one.partner].id} {verb.removesuffix('s')} as if each had the other's"
+            yield (
+                f"{who} {verb.removesuffix('s')} as if each had the other's readings (run in readings.csv, or what "
+                "setup.toml says of them)",
+                one,
             )
-            yield f"{both} readings (run in readings.csv, or what setup.toml says of them)", one
+        else:
+            done |= {index, *one.together}
+            yield f"{who} {verb.removesuffix('s') if one.together else verb} {READS[one.how]}", one
+
+
+def _who(observed: Observations, index: int, one: Misread) -> str:
+    """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser` that have a fault together."""
+    named = observed.runs[index].id
+    if one.together:
+        count = "both" if len(one.together) == 2 else f"all {len(one.together)}"
+        return f"{count} runs of {noise_groups(observed.runs)[index]}"
+    return f"run {named}" if one.partner is None else f"runs {named} and {observed.runs[one.partner].id}"
 
 
 def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:
     kinds = {one.how for one in sure.values()}
-    if len(sure) > 1 and len(kinds) == 1 and "swapped" not in kinds:
-        named = ", ".join(observed.runs[index].id for index in sure)
-        return f"runs {named}: one of them at least reads {READS[kinds.pop()]}"
-    return "; ".join(text for text, _ in _each(observed, sure, "reads"))
+    who = list(dict.fromkeys(_who(observed, index, one) for index, one in sure.items()))
+    if len(who) == 1 or len(kinds) > 1 or "swapped" in kinds:
+        return "; ".join(text for text, _ in _each(observed, sure, "reads"))
+    wrong = READS[kinds.pop()]
+    if any(one.together for one in sure.values()):
+        return f"{', or '.join(who)}, read {wrong}; which of these is wrong the readings cannot tell"
+    return f"runs {', '.join(observed.runs[index].id for index in sure)}: one of them at least reads {wrong}"
 
 
 def _contradicting(observed: Observations, found: Estimate) -> Contradicting | None:
