@@ -1,8 +1,8 @@
 """What `identify` says of faulty data on random designs: python -m tests.worlds.faulty_data 60 9601 --faults 20
 
 Every design is measured as it should be; the first --faults of them also with each fault: of readings, in one run of
-each kind that is drawn at random, and in all readings; of the set-up as setup.toml has it, in a run drawn at random.
-Noise is neither stated nor repeated on purpose. One line per data set, then the table.
+each kind that is drawn at random, in all runs of an instrument, and in all readings; of the set-up as setup.toml has
+it, in a run drawn at random. Noise is neither stated nor repeated on purpose. One line per data set, then the table.
 """
 
 import argparse
@@ -32,6 +32,7 @@ from trueaxis.model.errors import ErrorValues
 FACTORS = {"sign reversed": -1.0, "1000 times too small": 1e-3, "1000 times too large": 1e3}
 MIRRORED = "targets from the other end"
 ALL = "all readings"
+EVERY = "all runs of"
 KINDS = ("laser", "straightness", "ballbar", "probe")
 ELSEWHERE, BALL, LENGTH = 200.0, 3.0, 0.05  # mm: a home or target point, a ball, the length of a bar
 
@@ -79,7 +80,19 @@ def faulty(one: World, reading: Array, seed: int) -> Iterator[Faulty]:
             turned = reading.copy()
             turned[chosen.rows.at] = undone_reading(chosen, how)
             yield Faulty(MIRRORED, kind, (chosen.rows.run.id,), replace(plan, reading=turned))
+    yield from _of_instruments(plan, kinds)
     yield from _of_set_ups(plan, kinds, np.random.default_rng([seed, 37]))
+
+
+def _of_instruments(plan: Observations, kinds: Mapping[int, str]) -> Iterator[Faulty]:
+    """All runs of one have the wrong sign or unit, where there is another."""
+    each = sorted({plan.runs[index].instrument for index in kinds})
+    for instrument in each if len(each) > 1 else ():
+        wrong = [index for index in kinds if plan.runs[index].instrument == instrument]
+        named = tuple(plan.runs[index].id for index in wrong)
+        for fault in ("sign reversed", "1000 times too small"):
+            reading = np.where(np.isin(plan.run, wrong), FACTORS[fault], 1.0) * plan.reading
+            yield Faulty(fault, f"{EVERY} {instrument}", named, replace(plan, reading=reading))
 
 
 def _of_set_ups(plan: Observations, kinds: Mapping[int, str], source: np.random.Generator) -> Iterator[Faulty]:
@@ -151,13 +164,14 @@ def said(one: World, data: MeasuredData, plan: Observations, folder: Path) -> tu
     return "note" if notes else "nothing", tuple(words.replace(",", " ").split()), words
 
 
-def judged(seed: int, folder: Path, with_faults: bool) -> Iterator[tuple[str, Said]]:
-    """Kind of run, and what came of each data set of a design."""
+def judged(seed: int, folder: Path, with_faults: bool, of: str = "") -> Iterator[tuple[str, Said]]:
+    """Kind of run, and what came of each data set of a design; of: faults of what begins so alone."""
     one = world(seed, folder)
     data = read_data(folder / "data", one.model)
     reading = measure(one.design, draw_machine(one.design.machine, seed + 7), seed + 7).reading
     sound = Faulty("", "", (), replace(one.plan, reading=reading))
-    for each in (sound, *(faulty(one, reading, seed) if with_faults else ())):
+    faults = [each for each in faulty(one, reading, seed) if each.kind.startswith(of)] if with_faults else []
+    for each in (sound, *faults):
         end, named, words = said(one, data, each.plan, folder)
         whole = each.of == (ALL,) and end != "nothing"
         yield each.kind, Said(each.fault, each.of, end, whole or bool(set(each.of) & set(named)), words)
@@ -169,11 +183,12 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("designs", type=int)
     parser.add_argument("first", type=int)
     parser.add_argument("--faults", type=int, default=0)
+    parser.add_argument("--of", default="", help=f"only faults of what begins so, such as '{EVERY}'")
     args = parser.parse_args(arguments)
     rows: dict[tuple[str, str], list[Said]] = {}
     for number in range(args.designs):
         with tempfile.TemporaryDirectory() as folder:
-            for kind, one in judged(args.first + number, Path(folder), number < args.faults):
+            for kind, one in judged(args.first + number, Path(folder), number < args.faults, args.of):
                 rows.setdefault((one.fault, kind), []).append(one)
                 print(f"{args.first + number}: {one}", flush=True)
     print("| fault | of | data sets | refused or misfit | run named | note | exit 0, no word |\n|" + "---|" * 7)
