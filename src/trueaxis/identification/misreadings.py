@@ -53,10 +53,10 @@ class Contradicting:
         left = len(self.runs) - MOST_RUNS
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
-            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: the probability that noise "
-            f"takes a sound run as far from what these let expect is {_probability(self.log_p)} (up "
-            f"to {self.times:.2g} standard deviations, in several directions together); without {them} the tool point "
-            f"moves by {self.moved * 1e3:.2g} um in the volume, which is known to {self.u * 1e3:.2g} um then (are runs "
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: noise alone takes a sound "
+            f"run as far from what the others predict with a probability of {_probability(self.log_p)} (the farthest "
+            f"combination of readings: {self.times:.2g} standard deviations); without {them} the tool point moves by "
+            f"{self.moved * 1e3:.2g} um (RMS over the volume), and its u is {self.u * 1e3:.2g} um then (are runs "
             "swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
             "effect? diagnose tells more)"
         )

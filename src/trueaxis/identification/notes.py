@@ -124,10 +124,11 @@ def estimate_notes(
         # a size of which readings tell little may come out far from the expected one without meaning it
         if found.likelier.get(kind, 0.0) > LIKELIER:
             factor = found.factors[kind]
+            unit = "urad" if key.endswith("urad") else "um"
+            doubt = "; if this machine cannot have them, check units, directions and compensation in setup.toml"
             notes.append(
-                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}; "
-                f"{size:g} is {_times(found.likelier[kind])} less likely; the "
-                "estimate takes the size that the readings show"
+                f"[prior] says {key} = {size:g}, but the readings are {_times(found.likelier[kind])} as likely with "
+                f"errors of about {size * factor:.3g} {unit}, which the estimate takes{doubt if factor > 1.0 else ''}"
             )
     if found.readings.outliers.any():
         rows = np.flatnonzero(found.readings.outliers)
