@@ -131,6 +131,7 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
     told = [
         NoiseOf(
             instrument=name,
+            group=name,
             white=noise.white,
             correlated=noise.slow,
             correlation=0.0,

@@ -185,6 +185,7 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     noise = (
         NoiseOf(
             instrument="laser",
+            group="laser",
             white=SIGMA,
             correlated=0.0,
             correlation=0.0,
@@ -207,6 +208,7 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     repeated = (
         NoiseOf(
             instrument="laser",
+            group="laser",
             white=SIGMA,
             correlated=0.0,
             correlation=0.0,
@@ -214,7 +216,16 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
             freedom=100.0,
             origin="repeats",
         ),
-        NoiseOf(instrument="probe", white=SIGMA, correlated=0, correlation=0, settles=0, freedom=1e6, origin="given"),
+        NoiseOf(
+            instrument="probe",
+            group="probe",
+            white=SIGMA,
+            correlated=0,
+            correlation=0,
+            settles=0,
+            freedom=1e6,
+            origin="given",
+        ),
     )
     assert next_runs(prospect, nothing, (), (), repeated) == ()
     named = Ahead(Placed(Effect(kind="backlash", component="EXX")), (), 1e-3, None)

@@ -1,5 +1,6 @@
 """Noise from repeats in any order, by Monte Carlo: noise of known kinds is drawn by other means and found again."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -17,8 +18,9 @@ from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
 from trueaxis.diagnosis.noise_precision import precision_of
 from trueaxis.diagnosis.result import NoiseOf
-from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.estimation.noise import Noise
+from trueaxis.measurement.setup import Device
 
 DRAWS = 6
 CORRELATION = 0.8
@@ -141,6 +143,21 @@ def test_a_run_with_more_noise_is_told_from_the_others() -> None:
     assert scales.argmax() == 3
     assert scales[3] > 1.6  # of sqrt(10), as far as its readings tell
     assert np.delete(scales, 3) == pytest.approx(1.0, abs=0.35)
+
+
+def test_each_device_has_its_own_noise_where_several_are_named() -> None:
+    """Optics for straightness are noisier than those for distances: with one noise for both, sound readings were
+    "unexplained". Runs that name no device are of one.
+    """
+    case = prepared(Case(seed=1, design=DESIGN, noise="none", given="exact"))
+    optics = Device(id="optics")
+    runs = tuple(replace(one, device=optics if k % 2 else None) for k, one in enumerate(case.data.setup.runs))
+    rows = rows_of(replace(case.data, setup=replace(case.data.setup, runs=runs)))
+    noise = np.array([20.0 if run.device == optics else 1.0 for run in rows.runs])[rows.run]
+    _, found, _ = noise_of_runs(rows, base_of(case.model, rows), noise * drawn(rows, 8), None)
+    sigma = {one.group: one.sigma for one in found}
+    assert sigma == pytest.approx({"laser optics": 20.0 * SIGMA, "laser without a device": SIGMA}, rel=0.15)
+    assert {one.instrument for one in found} == {"laser"}
 
 
 def test_without_repeats_the_course_of_each_run_tells() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from trueaxis.diagnosis.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnosis.rows import Rows, as_slice
+from trueaxis.estimation.runs import noise_groups
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,6 @@ class Freedom:
 
 def freedom_of(rows: Rows, sigma: FloatArray, noise: Sequence[NoiseOf]) -> Freedom:
     """From the noise of the instruments; sigma: (n,), mm."""
-    of = {one.instrument: one.freedom for one in noise}
-    per_run = np.array([of.get(run.instrument, 1.0) for run in rows.runs])
+    of = {one.group: one.freedom for one in noise}
+    per_run = np.array([of.get(group, 1.0) for group in noise_groups(rows.runs)])
     return Freedom(per_run[rows.run], sigma)

@@ -19,6 +19,7 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, GainOfAngles,
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.measurement.readings import angle_rows
 
 HELD = 0.4  # share of the repeats that is held back, one at least
@@ -157,8 +158,8 @@ def gain_by_unit(fits: tuple[Fit, Fit], null: Null, chosen: tuple[BoolArray, str
     fits: on all rows, and on those that are not held back; chosen: (n,) which these are, and how they were chosen.
     """
     whitening, values, rows = null.whitening, null.values, null.rows
-    judged = {one.instrument: one.origin != UNKNOWN for one in null.noise}
-    known = np.array([judged.get(one.instrument, False) for one in rows.runs])[rows.run]
+    judged = {one.group: one.origin != UNKNOWN for one in null.noise}
+    known = np.array([judged.get(group, False) for group in noise_groups(rows.runs)])[rows.run]
     (held, split), (on_all, on_others) = chosen, fits
     angle = angle_rows(rows.run, rows.runs)
 

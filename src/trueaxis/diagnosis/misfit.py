@@ -170,7 +170,7 @@ def against_others(
     r = np.linalg.qr(np.vstack([weights[kept], np.eye(weights.shape[1])]), mode="r")
     half = solve_triangular(r, weights.T, trans="T")
     rest = every - half.T @ (half[:, kept] @ every[kept])
-    freedom = {one.instrument: one.freedom for one in null.noise}
+    freedom = {one.group: one.freedom for one in null.noise}
     found = []
     for group in groups:
         mine = np.isin(run, group)
@@ -180,7 +180,7 @@ def against_others(
         strength, turned = np.linalg.eigh(np.eye(k) - half[:, mine].T @ half[:, mine])
         told = strength > 1e-9
         squares = float(np.sum((turned.T @ rest[mine])[told] ** 2 / strength[told]))
-        least = min(freedom[base.runs[place].instrument] for place in group)
+        least = min(freedom[base.runs[place].noise_group] for place in group)
         k = int(told.sum())
         among = float(np.linalg.norm(spread[list(group)])) / len(group)
         found.append(Against(group, squares, _log_p(squares / k, k, least, among)))

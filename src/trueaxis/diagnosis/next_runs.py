@@ -92,7 +92,7 @@ def _for_structure(checks: Sequence[Check]) -> Iterator[NextRun]:
 
 
 def _for_noise(noise: Sequence[NoiseOf]) -> Iterator[NextRun]:
-    yield from (NextRun(instrument=one.instrument) for one in noise if one.origin not in (REPEATS, STATED))
+    yield from (NextRun(instrument=one.group) for one in noise if one.origin not in (REPEATS, STATED))
 
 
 def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:

@@ -1,4 +1,4 @@
-"""The noise of the readings: of every run, and what is told of every instrument.
+"""The noise of the readings: of every run, and what is told of every instrument, or of its devices (`noise_groups`).
 
 By restricted maximum likelihood (REML; Patterson and Thompson, Biometrika 58, 1971) of what the saturated base leaves
 of all runs together: runs of one axis share its curves, which leaves far more room to tell slow noise from the machine
@@ -29,24 +29,25 @@ STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5
 def noise_of_runs(
     rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
 ) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...], Found | None]:
-    """Of every run of the base, in its order, and of every instrument. values: (n,) mm, readings less what is expected.
+    """Of every run of the base, in its order, and of every group of runs. values: (n,) mm, readings less what is
+    expected.
 
     noise_um: of every reading, where it is known: white noise, and nothing is estimated; before: what was found of
     nearly the same readings, from where a further estimate is near.
     """
-    instruments = [one.instrument for one in base.runs]
-    names = list(dict.fromkeys(instruments))
+    groups = [one.noise_group for one in base.runs]
+    names = list(dict.fromkeys(groups))
     if noise_um is not None:
         laws, fit = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None
     else:
         blocks = list(blocks_of(rows, base, values))
-        guesses = {name: _guess(blocks, instruments, name) for name in names}
-        laws, fit = restricted(blocks, instruments, guesses, before)
-    scales = np.ones(len(instruments)) if fit is None else fit.scales
+        guesses = {name: _guess(blocks, groups, name) for name in names}
+        laws, fit = restricted(blocks, groups, guesses, before)
+    scales = np.ones(len(groups)) if fit is None else fit.scales
     found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
     for name in names:
-        members = [place for place, one in enumerate(instruments) if one == name]
+        members = [place for place, one in enumerate(groups) if one == name]
         at = np.concatenate([base.runs[place].rows.at for place in members])
         origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
         law = laws[name]
@@ -58,7 +59,8 @@ def noise_of_runs(
         lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
         told.append(
             NoiseOf(
-                instrument=name,
+                instrument=base.runs[members[0]].instrument,
+                group=name,
                 white=typical.white,
                 correlated=typical.slow,
                 correlation=lasting,
@@ -77,16 +79,16 @@ def noise_of_runs(
                 wanders=law.wanders,
                 settles=law.settles,
             )
-    return tuple(found[place] for place in range(len(instruments))), tuple(told), fit
+    return tuple(found[place] for place in range(len(groups))), tuple(told), fit
 
 
-def _guess(blocks: Sequence[Block], instruments: Sequence[str], name: str) -> Guess:
-    """Of the noise of an instrument, by its repeats, and of the misfit of the base; else by what the base leaves."""
+def _guess(blocks: Sequence[Block], groups: Sequence[str], name: str) -> Guess:
+    """Of the noise of a group of runs, by its repeats, and of the misfit of the base; else by what the base leaves."""
     of_base, of_target = [np.zeros(0)], [np.zeros(0)]
     for block in blocks:
         left, share = left_of(block)
         for one in block.parts:
-            if instruments[one.place[0]] == name:
+            if groups[one.place[0]] == name:
                 of_base.append(np.abs(left[one.rows][share[one.rows] > HELD]))
                 of_target.append(np.abs(of_repeats(one, block.values[one.rows])))
     typical = [

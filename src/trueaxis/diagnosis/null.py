@@ -127,14 +127,14 @@ def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dic
 
 
 def lent(null: Null, other: Null) -> Null:
-    """With the noise that another has of the same runs, or of one by the same instrument."""
+    """With the noise that another has of the same runs, or of one with the same noise (`noise_groups`)."""
     runs = zip(other.base.runs, other.whitening.runs, strict=True)
     told: dict[object, RunNoise] = {}
     for run, noise in runs:
-        told |= {run.instrument: noise, run.rows.index: noise}
+        told |= {run.noise_group: noise, run.rows.index: noise}
     noises = []
     for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
-        noise = told.get(run.rows.index) or told.get(run.instrument) or before
+        noise = told.get(run.rows.index) or told.get(run.noise_group) or before
         noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
     return replace(null, whitening=whitening(null.rows.run, noises, null.base.own))
 

@@ -30,7 +30,7 @@ from trueaxis.diagnosis.signature import Readings, readings_of
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.estimation.noise import Noise
-from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.runs import MeasuredRun, noise_groups
 from trueaxis.measurement.context import context_of
 from trueaxis.model.context import Context
 
@@ -83,8 +83,10 @@ def prospect_of(ground: Ground) -> Prospect:
     everything = _with_further(readings.rows, further)
     base = base_of(readings.model, everything)
     known: dict[str, list[RunNoise]] = {}
+    groups = noise_groups(readings.rows.runs)
     for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
-        known.setdefault(readings.rows.runs[run].instrument, []).append(one)
+        for name in {readings.rows.runs[run].instrument, groups[run]}:
+            known.setdefault(name, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
@@ -206,8 +208,9 @@ def _contexts(one: Context, other: Context) -> Context:
 
 
 def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
-    """As that of other runs of the instrument, or as usual."""
-    of_instrument = sorted(known.get(run.instrument, []), key=lambda one: one.sigma)
+    """As that of other runs of the group (`noise_groups`), else of the instrument, or as usual."""
+    alike = known.get(run.noise_group) or known.get(run.instrument, [])
+    of_instrument = sorted(alike, key=lambda one: one.sigma)
     if not of_instrument:
         level = PROBE_MM if run.instrument == "probe" else USUAL_MM
         return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)

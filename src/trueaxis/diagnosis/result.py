@@ -21,13 +21,15 @@ Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "un
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseOf:
-    """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
+    """Noise of the readings of a group of runs (`runs.noise_groups`), mm: white, and slow (correlation: from one
+    reading to the next). instrument: kind of their instrument; group: name of the group, the kind or one device of it.
 
     settles: by which its runs change after their start; wanders: random walk of a run, at its end; freedom: degrees of
     freedom of the estimate; origin: where it is from, see diagnose.noise.
     """
 
     instrument: str
+    group: str
     white: float
     correlated: float
     correlation: float
@@ -231,6 +233,7 @@ class Residuals:
 
     runs: tuple[str, ...]
     instruments: tuple[str, ...]
+    noise_groups: tuple[str, ...]
     axes: tuple[str, ...]
     row: IntArray
     run: IntArray

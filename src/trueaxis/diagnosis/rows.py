@@ -8,6 +8,7 @@ import numpy as np
 from numpy.polynomial import Legendre
 
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.setup import Run
@@ -123,14 +124,17 @@ def plane_of(rows: Rows, mine: BoolArray) -> str:
 
 
 def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArray:
-    """(n_runs,): the same number for runs that differ in their zero alone; for ball bars also the plane counts."""
+    """(n_runs,): the same number for runs that differ in their zero alone; for ball bars also the plane counts.
+
+    What two devices read is no repeat: each has its own noise and scale.
+    """
     known: dict[object, int] = {}
     said = []
-    for index, one in enumerate(runs):
+    for index, (one, group) in enumerate(zip(runs, noise_groups(runs), strict=True)):
         mine = positions[:, run == index]
         moving = mine.size > 0 and one.instrument == "ballbar"
         plane = tuple(np.flatnonzero(np.ptp(mine, axis=1) > 10.0**-DECIMALS).tolist()) if moving else ()
-        said.append((one.instrument, one.target, one.reference, one.frame, one.direction, one.length, plane))
+        said.append((group, one.target, one.reference, one.frame, one.direction, one.length, plane))
     return np.array([known.setdefault(one, len(known)) for one in said], dtype=np.int64)
 
 

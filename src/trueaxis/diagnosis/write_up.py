@@ -38,6 +38,7 @@ from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.evaluation.iso230_4.circular_test import circularity
 from trueaxis.measurement.reading_geometry import column, sensed_points
 
@@ -187,6 +188,7 @@ def _residuals(outcome: Outcome) -> Residuals:
     return Residuals(
         runs=tuple(run.id for run in rows.runs),
         instruments=tuple(run.instrument for run in rows.runs),
+        noise_groups=noise_groups(rows.runs),
         axes=rows.axes,
         row=rows.row,
         run=rows.run,

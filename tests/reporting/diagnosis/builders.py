@@ -90,6 +90,7 @@ def residuals(targets: int = 41, repeats: int = 3, circle: int = 360, *, time: b
     return Residuals(
         runs=tuple(runs),
         instruments=tuple(instruments),
+        noise_groups=tuple(instruments),
         axes=("X", "Y", "Z"),
         row=np.arange(count),
         run=run,
@@ -253,6 +254,7 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         noise=(
             NoiseOf(
                 instrument="laser",
+                group="laser",
                 white=0.00029,
                 correlated=0.00008,
                 correlation=0.4,
@@ -263,6 +265,7 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
             ),
             NoiseOf(
                 instrument="ballbar",
+                group="ballbar",
                 white=0.0003,
                 correlated=0.0,
                 correlation=0.0,

@@ -118,7 +118,7 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
     """What to be careful with."""
     for one in diagnosis.noise:
         if one.origin not in ("repeats", "given"):
-            yield f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to determine it"
+            yield f"noise of the {one.group}: {noise_origin(one.origin)}; repeat runs to determine it"
     if diagnosis.verdict == "unexplained_structure":
         yield "no known cause explains the remaining structure: no name is given"
     if any(one.remainder for one in diagnosis.causes):

@@ -74,14 +74,12 @@ def noise(diagnosis: Diagnosis) -> float:
     """
     residuals = diagnosis.residuals
     sigma = {
-        one.instrument: one.sigma
-        for one in diagnosis.noise
-        if small_unit(one.instrument) == "um" and one.origin != UNKNOWN
+        one.group: one.sigma for one in diagnosis.noise if small_unit(one.instrument) == "um" and one.origin != UNKNOWN
     }
-    instruments, counts = np.unique(
-        np.array([residuals.instruments[k] for k in residuals.run], dtype=str), return_counts=True
+    groups, counts = np.unique(
+        np.array([residuals.noise_groups[k] for k in residuals.run], dtype=str), return_counts=True
     )
-    known = [(sigma[str(name)], int(n)) for name, n in zip(instruments, counts, strict=True) if str(name) in sigma]
+    known = [(sigma[str(name)], int(n)) for name, n in zip(groups, counts, strict=True) if str(name) in sigma]
     if not known:
         return float(np.sqrt(np.mean(np.square(list(sigma.values()))))) if sigma else math.nan
     return math.sqrt(sum(n * value**2 for value, n in known) / sum(n for _, n in known))
@@ -199,6 +197,7 @@ def _noise(one: NoiseOf) -> dict[str, Any]:
     unit = small_unit(one.instrument)
     return {
         "instrument": one.instrument,
+        "group": one.group,
         f"white_{unit}": _um(one.white),
         f"correlated_{unit}": _um(one.correlated),
         "correlation": one.correlation,

@@ -235,7 +235,7 @@ def noise(diagnosis: Diagnosis) -> Table:
     """Noise of each instrument: correlation is that of the slow part from one reading to the next."""
     rows = tuple(
         (
-            one.instrument if small_unit(one.instrument) == "um" else f"{one.instrument}, {URAD}",
+            one.group if small_unit(one.instrument) == "um" else f"{one.group}, {URAD}",
             micrometres(one.sigma),
             micrometres(one.white),
             micrometres(one.correlated),

@@ -124,7 +124,7 @@ def headline(diagnosis: Diagnosis) -> str:
     causes = [f"{effect_title(one.effect)}, {size_of(one)}".removesuffix(", ") for one in diagnosis.causes]
     match diagnosis.verdict:
         case "no_discrepancy":
-            blind, seeing = not_judged(diagnosis), [one.instrument for one in diagnosis.noise]
+            blind, seeing = not_judged(diagnosis), [one.group for one in diagnosis.noise]
             if not blind:
                 return "The readings agree with the model: the residuals are noise."
             told = enumerated([name for name in seeing if name not in blind])
@@ -154,7 +154,7 @@ def explanation(diagnosis: Diagnosis) -> str:
 
 def not_judged(diagnosis: Diagnosis) -> list[str]:
     """Instruments whose readings are too few to know their noise: what they read is no evidence of anything."""
-    return [one.instrument for one in diagnosis.noise if one.origin == UNKNOWN]
+    return [one.group for one in diagnosis.noise if one.origin == UNKNOWN]
 
 
 _MEANING: dict[Verdict, str] = {
