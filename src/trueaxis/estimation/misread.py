@@ -100,10 +100,13 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
     to be the one that is misread, each is there. posterior: of what is fitted; continued: goes on from there.
     """
     found: dict[int, Misread] = {}
-    undone: set[int] = set()
+    undone: set[Fault] = set()
     while True:
         state = fitted.state
-        odds = {key: odd for key, odd in _ratios(fitted, posterior).items() if not undone & set(key.places)}
+        # beside a fault of all its instrument a run may have one of its own
+        taken = {place for fault in undone if not fault.of_instrument for place in fault.places}
+        ratios = _ratios(fitted, posterior).items()
+        odds = {key: odd for key, odd in ratios if key not in undone and not taken & set(key.places)}
         likeliest = sorted((key for key in odds if odds[key] > TRIED), key=lambda key: -odds[key])
         gains: dict[Fault, float] = {}
         following = fitted
@@ -133,7 +136,7 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
                 found.setdefault(index, wrong)
         if best <= SURE:
             return found
-        undone |= {place for fault in alike if not fault.of_instrument for place in fault.places}
+        undone |= set(alike)
         fitted = following
         posterior = fitted.posterior()
 
