@@ -2,7 +2,6 @@
 
 import sys
 import tempfile
-from collections.abc import Sequence
 from functools import cache
 from itertools import product
 from pathlib import Path
@@ -41,6 +40,7 @@ sentence = "an eccentric bearing, encoder or gear of the rotary axis"
 LOBES_TRIED = ((1,), (2,), (1, 2))
 
 
+@cache
 def given(kinds: str = "") -> tuple[MachineModel, MeasuredData]:
     """The nominal machine and the readings, through the files that a user would have. kinds: TOML of kinds."""
     model = _model(SPEC.read_text() + kinds)
@@ -64,11 +64,13 @@ def _model(spec: str) -> MachineModel:
     )
 
 
+@cache
 def diagnosis(kinds: str = "") -> Diagnosis:
     """Diagnosed in process."""
     return diagnose(*given(kinds))
 
 
+@cache
 def base_left_out(degree: int) -> tuple[int, float]:
     """Rank of the base of a degree, and 3-D rms (mm) of poses that it predicts from the others.
 
@@ -79,7 +81,8 @@ def base_left_out(degree: int) -> tuple[int, float]:
     return _left_out(rows, _columns(model, rows, degree))
 
 
-def lobes_left_out(axis: str, lobes: Sequence[int]) -> tuple[int, float]:
+@cache
+def lobes_left_out(axis: str, lobes: tuple[int, ...]) -> tuple[int, float]:
     """The same for the base of degree 1 and cosines and sines of all six motion errors of a rotary axis."""
     model, data = given(LOBES)
     rows = rows_of(data)
