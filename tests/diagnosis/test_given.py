@@ -1,12 +1,14 @@
 """What given values are uncertain by is no change of the machine."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 
-from tests.diagnosis.prepared import SIGMA, SMALL, FloatArray, prepared
+from tests.diagnosis.prepared import SIGMA, FloatArray, prepared
 from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.base import given_by_chance
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.null import Null, null_of
@@ -17,11 +19,13 @@ from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import CovarianceLink, ErrorValues
 from trueaxis.model.own_uncertainty import own_uncertainty
 
+FEW = Design(lines=2, repeats=2, targets=11, samples=36)
 SHARE = 0.05  # of what is expected of the machine, by which its values are uncertain
 
 
+@cache
 def null() -> Null:
-    case = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    case = prepared(Case(seed=1, design=FEW, noise="none", given="exact"))
     noise = SIGMA * np.random.default_rng(1).standard_normal(case.rows.size)
     return null_of(case.model, case.rows, noise, 1e3 * SIGMA)
 
@@ -52,7 +56,7 @@ def test_a_change_beyond_it_is_still_found() -> None:
 
 
 def test_what_values_are_uncertain_by_is_what_readings_are() -> None:
-    case = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    case = prepared(Case(seed=1, design=FEW, noise="none", given="exact"))
     curve = PolynomialCurve(powers=(1, 3), coefficients=(0.0, 0.0), u=(2e-6, 3e-12))
     dimensions = {name: case.model.errors.parameters[name] for name in case.model.dimensions}
     errors = ErrorValues(
@@ -79,7 +83,7 @@ def test_what_values_are_uncertain_by_is_what_readings_are() -> None:
 
 
 def test_values_whose_covariance_is_elsewhere_are_not_taken_as_exact() -> None:
-    case = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    case = prepared(Case(seed=1, design=FEW, noise="none", given="exact"))
     linked = replace(case.model.errors, covariance=CovarianceLink("E.npz", "0"))
     with pytest.raises(ValueError, match=r"E\.npz.*load_uncertainty"):
         diagnose(case.model.with_values(linked), case.data)

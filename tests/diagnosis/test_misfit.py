@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.diagnosis.prepared import SIGMA, SMALL, Prepared, prepared
+from tests.diagnosis.prepared import SIGMA, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
@@ -45,7 +45,9 @@ def test_a_line_that_belongs_elsewhere_is_named_on_few_lines_and_targets(lines: 
 
 def test_runs_that_no_values_fit_take_the_names_back(monkeypatch: pytest.MonkeyPatch) -> None:
     """As the values that are identified anew tell them, without another search."""
-    given = prepared(Case(3, design=SMALL, effects=(Hidden("backlash", "EYY", size=0.02),), given="exact"))
+    given = prepared(
+        Case(3, design=replace(FEW, lines=2), effects=(Hidden("backlash", "EYY", size=0.02),), given="exact")
+    )
     seen: list[Diagnosis] = []
 
     def with_misfit(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:

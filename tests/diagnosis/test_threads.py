@@ -5,18 +5,28 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from tests.diagnosis.prepared import SMALL, prepared
+from tests.diagnosis.prepared import SMALL, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
+from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.reporting.diagnosis.json_file import diagnosis_json
+
+EFFECTS = (Hidden("backlash", "EXX", size=-2e-3), Hidden("cyclic", "EYY", size=1e-3))
+
+
+@pytest.fixture(scope="module")
+def given() -> Prepared:
+    return prepared(Case(seed=4, design=SMALL, effects=EFFECTS))
+
+
+@pytest.fixture(scope="module")
+def alone(given: Prepared) -> Diagnosis:
+    return diagnose(given.model, given.data)
 
 
 @pytest.mark.parametrize("threads", [1, 4])
-def test_threads_change_nothing(threads: int) -> None:
-    effects = (Hidden("backlash", "EXX", size=-2e-3), Hidden("cyclic", "EYY", size=1e-3))
-    given = prepared(Case(seed=4, design=SMALL, effects=effects))
-    alone = diagnose(given.model, given.data)
+def test_threads_change_nothing(threads: int, given: Prepared, alone: Diagnosis) -> None:
     assert alone.causes
     stages: list[str] = []
     with ThreadPoolExecutor(threads) as pool:
