@@ -18,6 +18,7 @@ from trueaxis.diagnosis.result import BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis import html as page_of
 from trueaxis.reporting.diagnosis.html import TEMPLATE, mathml
+from trueaxis.reporting.diagnosis.picture import Pictures
 from trueaxis.reporting.diagnosis.pictures import pictures_of
 from trueaxis.reporting.diagnosis.tables import MOST_PRINTED
 from trueaxis.template_folders import template_folders
@@ -32,8 +33,18 @@ def report_html(diagnosis: Diagnosis) -> str:
 
 
 @cache
+def drawn(verdict: Verdict) -> Pictures:
+    return pictures_of(builders.diagnosis(verdict))
+
+
+def words_html(diagnosis: Diagnosis) -> str:
+    """For what is in words and tables: with the figures of the diagnosis before it was changed, which take longest."""
+    return page_of.report_html(diagnosis, drawn(diagnosis.verdict))
+
+
+@cache
 def html(verdict: Verdict) -> str:
-    return report_html(builders.diagnosis(verdict))
+    return words_html(builders.diagnosis(verdict))
 
 
 @cache
@@ -61,9 +72,9 @@ def test_the_page_begins_with_what_was_measured_by_whom_and_with_what() -> None:
     section = text[text.index('<section id="errors"') : text.index('<section id="causes"')]
     for said in ("EXX", "4.00", "6.10", "2.10", "0.30", "EC0Y", "nothing: as given"):
         assert said in section
-    assert 'id="errors"' not in report_html(replace(builders.diagnosis("explained"), errors=()))
+    assert 'id="errors"' not in words_html(replace(builders.diagnosis("explained"), errors=()))
     without = replace(builders.diagnosis("explained"), report={}, measured=builders.diagnosis("explained").measured[1:])
-    section = report_html(without)
+    section = words_html(without)
     assert ">device<" not in section
     assert ">hours<" not in section
 
@@ -77,7 +88,7 @@ def test_the_template_is_given_what_it_uses(monkeypatch: pytest.MonkeyPatch) -> 
         return render(template, *args, **variables)
 
     monkeypatch.setattr(jinja2.Template, "render", noting)
-    report_html(builders.diagnosis("explained"))
+    words_html(builders.diagnosis("explained"))
     source = next(folder / TEMPLATE for folder in template_folders()).read_text()
     assert given == meta.find_undeclared_variables(jinja2.Environment(autoescape=True).parse(source))
 
@@ -155,7 +166,7 @@ def test_a_cause_is_told_with_all_that_belongs_to_it() -> None:
 def test_a_remainder_is_said() -> None:
     diagnosis = builders.diagnosis("explained")
     (cause,) = diagnosis.causes
-    told = read(report_html(replace(diagnosis, causes=(replace(cause, remainder=True),))))
+    told = read(words_html(replace(diagnosis, causes=(replace(cause, remainder=True),))))
     assert "a remainder is left beside it" in told.all("article")[0].text
 
 
@@ -209,7 +220,7 @@ def test_stale_values_are_a_table_and_said_at_the_head() -> None:
 
 
 def test_stale_values_are_shown_beside_a_cause() -> None:
-    told = read(report_html(replace(builders.diagnosis("explained"), stale=builders.STALE)))
+    told = read(words_html(replace(builders.diagnosis("explained"), stale=builders.STALE)))
     assert [row[0] for row in cells(tables_of(told)["Values that have changed"])] == ["EYY", "EC0X"]
 
 
@@ -317,7 +328,7 @@ def kept(diagnosis: Diagnosis, chosen: BoolArray) -> Residuals:
 def test_long_tables_say_that_they_scroll_and_print_in_full() -> None:
     diagnosis = builders.diagnosis("explained")
     outliers = tuple(replace(diagnosis.outliers[0], seq=k) for k in range(40))
-    root = read(report_html(replace(diagnosis, outliers=outliers)))
+    root = read(words_html(replace(diagnosis, outliers=outliers)))
     frames = {one.attributes["aria-label"]: one for one in root.all("div") if "aria-label" in one.attributes}
     long, short = frames["Readings left out as outliers"], frames["Runs that would help"]
     assert long.attributes["class"] == "scroll tall"
@@ -408,7 +419,7 @@ def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file(
 def test_on_paper_are_the_most_telling_rows_of_a_long_table() -> None:
     diagnosis = builders.diagnosis("unexplained_structure")
     checks = tuple(replace(diagnosis.checks[0], place=f"X{k}", p_value=0.5) for k in range(40))
-    root = read(report_html(replace(diagnosis, checks=(*checks, diagnosis.checks[1]))))
+    root = read(words_html(replace(diagnosis, checks=(*checks, diagnosis.checks[1]))))
     hidden = [row for row in root.all("tr") if row.attributes.get("class") == "screen"]
     assert len(hidden) == 41 - MOST_PRINTED
     assert not any("FIRED" in row.text for row in hidden)
