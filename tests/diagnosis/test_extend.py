@@ -200,7 +200,7 @@ def test_a_run_whose_sign_is_reversed_is_no_cause_of_its_instrument() -> None:
 
 def test_two_runs_whose_readings_are_swapped_are_told_beside_right_values() -> None:
     """They looked like noise beside changes that are none; `identify` tells them, of the readings as they are."""
-    plan = Design(lines=2, repeats=2, targets=11, samples=24, feeds=(1000.0,))
+    plan = Design(lines=3, repeats=2, targets=11, samples=24, feeds=(1000.0,))
     given = prepared(Case(3, design=plan, given="exact", curvature=6.0))
     readings, swapped = given.data.readings, ("X1-1", "X2-1")
     one, other = (readings.run == readings.run_ids.index(name) for name in swapped)
