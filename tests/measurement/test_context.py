@@ -8,15 +8,10 @@ import pytest
 
 from tests.generator.dmu60p import dmu60p
 from tests.measurement.adapter import GeneratorModel
-from trueaxis.measurement.context import (
-    context_of,
-    distance_since_reversal,
-    duration_by_feed,
-    path_velocity,
-    time_since_reversal,
-)
+from trueaxis.measurement.context import context_of, path_velocity
 from trueaxis.measurement.reading_effects import polar_angle, reading_context_of
 from trueaxis.measurement.readings import Readings, approach_directions
+from trueaxis.measurement.reversals import distance_since_reversal, duration_by_feed, time_since_reversal
 from trueaxis.measurement.setup import PointOn, Run
 
 INF, NAN = np.inf, np.nan
@@ -107,9 +102,31 @@ def test_time_and_path_since_a_reversal_are_of_each_axis() -> None:
         # laser: a run begins with a reversal beyond its first target, since nobody knows when; axes stand in between
         assert found.path_since[0, 6:].tolist() == [INF, 5, 10, 5, 10, 15]
         assert np.isinf(found.time_since[0, 6:9]).all()
-        assert np.isnan(found.time_since[0, 9:]).all() == np.isnan(known[2])
+        # nor how long they have stood, without times: longer than what passes within seconds
+        assert found.time_since[0, 9:].tolist() == ([INF] * 3 if np.isnan(known[2]) else [1, 3, 6])
         assert found.home is not None
         assert (found.home.time_since == INF).all()
+
+
+@pytest.mark.parametrize("start", [2.003, 2.009, 2.0159])
+@pytest.mark.parametrize("gap", [0.0, 0.08])
+def test_a_ball_bar_turns_between_readings_where_the_circle_has_it(start: float, gap: float) -> None:
+    """Of a circle of 100 mm at 50 mm/s, arc and time since X was at its end at pi are known; wherever its samples are,
+    and where those next to it are left out on both sides.
+    """
+    angle = np.arange(start, 4.3, 0.02)
+    angle = angle[np.abs(angle - np.pi) > gap]
+    path = [100.0 * np.cos(angle), 100.0 * np.sin(angle), np.zeros(angle.size)]
+    given = readings((bar("a"),), [path], time=2.0 * angle, feed=np.full(angle.size, 3000.0))
+    found = context_of(
+        (bar("a"),), replace(given, directions=np.sign([np.sin(angle) * -1.0, np.cos(angle), 0 * angle]))
+    )
+    later = angle > np.pi
+    arc = 100.0 * (angle[later] - np.pi)
+    near = 0.01 + 100.0 * (2.0 * gap) ** 3 / 24.0  # mm, of a chord over the gap in place of its arc
+    np.testing.assert_allclose(found.path_since[0, later], arc, atol=near)
+    np.testing.assert_allclose(found.time_since[0, later], arc / 50.0, atol=0.01 / 50.0)
+    np.testing.assert_allclose(found.since_reversal[0, later], 100.0 * (1.0 + np.cos(angle[later])), atol=0.01)
 
 
 def test_nothing_tells_the_time_since_a_reversal_while_a_table_turns_alone() -> None:

@@ -5,7 +5,7 @@ know of readings or points is told as a fault for each column that lacks it.
 """
 
 from collections.abc import Iterator, Sequence
-from typing import Protocol, cast
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -13,9 +13,15 @@ import numpy.typing as npt
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.io.faults import Fault
-from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.reversals import (
+    distance_since_reversal,
+    duration_by_feed,
+    path_since_reversal,
+    time_since_reversal,
+    turned_on_the_way,
+)
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 from trueaxis.model.effect_values import EffectValues
@@ -82,13 +88,14 @@ class Rows(Protocol):
 def context_of(runs: Sequence[Run], rows: Rows) -> Context:
     """The context of every row, with that of its run's home.
 
-    Directions are those of the rows. What has passed since the last reversal is that of the commanded positions, from
-    the reading before the direction changed. Laser and probe read standing axes, which come to the first target of a
-    run from a reversal beyond it (ISO 230-1, approach from one side): ways count from the first target; since when the
-    axis stands there, nobody knows, and the time since that reversal is infinite. A ball bar is read on the way: its
-    velocities have the feed along the tangent of the path or, where no feed is given, follow from the times. Home is
-    where laser and probe were zeroed before they read: no axis has moved or turned back yet, and time and temperature
-    are those of the run's first row.
+    Directions are those of the rows. What has passed since the last reversal is that of the commanded positions. Laser
+    and probe read standing axes, which come to the first target of a run from a reversal beyond it (ISO 230-1, approach
+    from one side): ways count from the first target; since when the axis stands there, nobody knows, and the time since
+    that reversal is infinite, as it is since later ones where no times are given: what passes within seconds is over
+    when a standing axis is read. A ball bar is read on the way: an axis turns where its velocity along the path passes
+    through zero, between two readings; velocities have the feed along the tangent of the path or, where no feed is
+    given, follow from the times. Home is where laser and probe were zeroed before they read: no axis has moved or
+    turned back yet, and time and temperature are those of the run's first row.
     """
     shape = rows.positions.shape
     count = shape[1]
@@ -106,10 +113,12 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
             continue
         path, ways = rows.positions[:, mine], directions[:, mine]
         standing = runs[rows.run[mine[0]]].instrument != "ballbar"
+        share, beyond = turned_on_the_way(rows.axes, ways, path) if not standing else (0.0, 0.0)
         fed = np.full(mine.size, np.nan) if standing else feed[mine]  # how long an axis stood no feed tells
-        since[:, mine] = distance_since_reversal(ways, path, turned_before=standing)
-        time_since[:, mine] = time_since_reversal(ways, time[mine], duration_by_feed(rows.axes, path, fed))
-        path_since[:, mine] = _path_since_reversal(rows.axes, ways, path, turned_before=standing)
+        since[:, mine] = distance_since_reversal(ways, path, turned_before=standing) + beyond
+        passed = time_since_reversal(ways, time[mine], duration_by_feed(rows.axes, path, fed), share)
+        time_since[:, mine] = np.where(np.isnan(passed), np.inf, passed) if standing else passed
+        path_since[:, mine] = path_since_reversal(rows.axes, ways, path, share, turned_before=standing)
         home_time[mine], home_temperature[mine] = time[mine[0]], temperature[mine[0]]
         if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
@@ -153,81 +162,6 @@ def _differences(path: FloatArray) -> FloatArray:
     found[:, 1:-1] = path[:, 2:] - path[:, :-2]
     found[:, 0] = -3.0 * path[:, 0] + 4.0 * path[:, 1] - path[:, 2]
     found[:, -1] = 3.0 * path[:, -1] - 4.0 * path[:, -2] + path[:, -3]
-    return found
-
-
-def distance_since_reversal(directions: FloatArray, path: FloatArray, *, turned_before: bool = False) -> FloatArray:
-    """(n_axes, n): the way of each axis since its direction changed last, mm or deg; infinite before the first change.
-
-    directions: (n_axes, n), +1, -1, or 0, which changes nothing; path: (n_axes, n), both in the order of reading. The
-    change is taken to have happened at the reading before the first one with the new direction. turned_before: the
-    first direction of an axis is a change, too.
-    """
-    way = np.cumsum(np.abs(np.diff(path, prepend=path[:, :1], axis=1)), axis=1)
-    return _since(way, _turnings(directions, turned_before=turned_before))
-
-
-def _path_since_reversal(
-    axes: Sequence[str], directions: FloatArray, path: FloatArray, *, turned_before: bool = False
-) -> FloatArray:
-    """(n_axes, n), mm: the way along the path of all linear axes since each axis turned back, as above."""
-    way = np.cumsum(_steps(axes, path))
-    return _since(np.broadcast_to(way, path.shape), _turnings(directions, turned_before=turned_before))
-
-
-def time_since_reversal(directions: FloatArray, time: FloatArray, duration: FloatArray) -> FloatArray:
-    """(n_axes, n), s: the time since each axis turned back in the run, infinite before; NaN where nothing tells it.
-
-    time: (n,), s, NaN where unknown; duration: (n,), s, of the way to each reading, which tells where times do not: NaN
-    where it is unknown, too.
-    """
-    turned = _turnings(directions)
-    told = _since(np.broadcast_to(time, directions.shape), turned)
-    gaps = np.isnan(duration)
-    unknown = _since(np.broadcast_to(np.cumsum(gaps, dtype=np.float64), directions.shape), turned) > 0.0
-    summed = _since(np.broadcast_to(np.cumsum(np.where(gaps, 0.0, duration)), directions.shape), turned)
-    found = np.where(told >= 0.0, told, np.where(unknown, np.nan, summed))
-    return cast(FloatArray, np.where(turned < 0, np.inf, found))
-
-
-def duration_by_feed(axes: Sequence[str], path: FloatArray, feed: FloatArray) -> FloatArray:
-    """(n,), s: how long the way to each reading takes at its feed (mm/min, of the linear axes together).
-
-    0 for the first reading; NaN without a feed, and where rotary axes turn alone, of which it tells nothing.
-    """
-    steps = _steps(axes, path)
-    turning = np.diff(path, prepend=path[:, :1], axis=1).any(axis=0) & (steps == 0.0)
-    found: FloatArray = np.divide(steps * SECONDS, feed, out=np.full(steps.size, np.nan), where=(feed > 0.0) & ~turning)
-    found[:1] = 0.0
-    return found
-
-
-def _steps(axes: Sequence[str], path: FloatArray) -> FloatArray:
-    """(n,), mm: the way of the linear axes together to each reading."""
-    linear = np.array([axis in LINEAR for axis in axes], dtype=bool)
-    steps: FloatArray = np.linalg.norm(np.diff(path[linear], prepend=path[linear][:, :1], axis=1), axis=0)
-    return steps
-
-
-def _turnings(directions: FloatArray, *, turned_before: bool = False) -> npt.NDArray[np.int64]:
-    """(n_axes, n): the reading at which each axis turned back last, -1 before the first time."""
-    rows = np.arange(directions.shape[1])
-    last = np.maximum.accumulate(np.where(directions != 0.0, rows, 0), axis=1)
-    held = np.take_along_axis(directions, last, axis=1)
-    changed = np.zeros(directions.shape, dtype=bool)
-    changed[:, 1:] = held[:, 1:] * held[:, :-1] < 0.0
-    turned = np.maximum.accumulate(np.where(changed, rows, 0), axis=1)
-    found = np.where(turned > 0, turned - 1, -1)
-    if turned_before:
-        first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
-        found = np.where((turned == 0) & (held != 0.0), first, found)
-    return found
-
-
-def _since(counted: FloatArray, turned: npt.NDArray[np.int64]) -> FloatArray:
-    """(n_axes, n): what counts up along the readings (n_axes, n), from where it turned last; infinite before."""
-    at_turn = np.take_along_axis(counted, np.maximum(turned, 0), axis=1)
-    found: FloatArray = np.where(turned < 0, np.inf, counted - at_turn)
     return found
 
 

@@ -56,6 +56,10 @@ class Context:
         """n, the number of positions."""
         return len(self.time)
 
+    def since(self, variable: str) -> FloatArray:
+        """(n_axes, n): what one of d, d_time, d_path counts since the last reversal of each axis."""
+        return {"d": self.since_reversal, "d_time": self.time_since, "d_path": self.path_since}[variable]
+
     def of(self, rows: Rows) -> "Context":
         """The context of some of the positions: indices, a mask or a slice."""
         return Context(

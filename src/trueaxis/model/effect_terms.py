@@ -87,8 +87,7 @@ def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, cont
         low, high = machine.travel[axis]
         return np.asarray((positions[row] - low) / (high - low))
     if name in SINCE_REVERSAL:  # derivatives at infinity may have no value
-        since = {"d": context.since_reversal, "d_time": context.time_since, "d_path": context.path_since}[name]
-        return np.asarray(np.minimum(since[row], FARTHEST))
+        return np.asarray(np.minimum(context.since(name)[row], FARTHEST))
     return np.asarray({"q": positions, "direction": context.directions, "v": context.velocity}[name][row])
 
 
