@@ -83,6 +83,18 @@ class TestBacklash:
         assert besides(self.cause()).shape == (readings().rows.size, 8)
 
 
+@pytest.mark.parametrize(
+    ("kind", "variable", "way"),
+    [("reversal_spike_path", "path_since", 0.3), ("reversal_spike_time", "time_since", 0.06)],
+)
+def test_a_spike_is_taken_up_over_what_it_decays_with(kind: str, variable: str, way: float) -> None:
+    cause = fitted(Effect(kind=kind, component="EXX"), [4e-3, 2.0])
+    passed = getattr(readings().context, variable)[0]
+    wanted = cause.signal * np.exp(-passed / way)
+    assert wanted.any()
+    assert holds(besides(cause), wanted)
+
+
 class TestThermalOffset:
     def cause(self) -> Fitted:
         return fitted(Effect(kind="thermal_offset", component="EYX"), [2e-3])

@@ -23,7 +23,9 @@ from trueaxis.effects.placement import SINCE_REVERSAL, VARIABLES
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
 UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read
-FLANK = 1.0, (0.3, 1.0)  # of what turns with the direction, right after a reversal; ways over which it is taken up, mm
+FLANK = 1.0  # of what turns with the direction, right after a reversal
+# over which it is taken up: ways of screw, nut and friction, mm; times of position loops of 1 and 4 m/min per mm, s
+TAKEN_UP = {"d": (0.3, 1.0), "d_path": (0.3, 1.0), "d_time": (0.015, 0.06)}
 LAG = 3**-0.5, (250.0, 1000.0, 4000.0)  # of what follows the temperature; by one of these time constants, s
 HARMONIC = 0.2  # second harmonic of what is periodic
 OTHERWISE = 0.3, 1.6  # of what decays, with its constant so many times larger or smaller
@@ -89,10 +91,11 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         if mine.any() and not mine.all():
             yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
-        share, ways = FLANK
-        since = readings.context.since_reversal[rows.axes.index(cause.effect.own_axis)]
-        for way in ways:
-            yield share * signal * np.exp(-since / way)
+        counted = next(iter(used & set(SINCE_REVERSAL)), "d")
+        since = readings.context.since(counted)[rows.axes.index(cause.effect.own_axis)]
+        since = np.where(np.isnan(since), np.inf, since)  # of readings that the effect does not reach
+        for way in TAKEN_UP[counted]:
+            yield FLANK * signal * np.exp(-since / way)
     if "T" in used and rows.time is not None and np.isfinite(rows.time).all():
         share, constants = LAG
         for constant in constants:
