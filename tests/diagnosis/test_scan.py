@@ -92,6 +92,14 @@ def test_a_root_is_found_for_one_sign_alone() -> None:
     assert scan_of(where, effect, -35e-6 * column).statistic == 0.0
 
 
+def test_readings_say_nothing_for_what_nobody_knows_there() -> None:
+    where = field()
+    signature = signature_of(where.readings, Effect(kind="backlash", component="EXX"))
+    white = where.base.rest(where.whitening(1e-2 * signature.over_all()[:, 0]))
+    assert scanned_in(where, signature, white).evidence > 100.0
+    assert scanned_in(where, replace(signature, missing="time_s"), white).evidence == 0.0
+
+
 def test_what_the_base_holds_explains_nothing() -> None:
     """One line per axis: the angle of its beam is a scale of the axis."""
     where = field(replace(FOUR_LINES, lines=1, ball_bar=False))

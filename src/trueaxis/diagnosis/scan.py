@@ -71,6 +71,8 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     """Scan one candidate. The cost grows with the readings that it reaches times causes times points of the grid."""
     k = signature.terms.shape[2]
     statistic, amplitudes = statistics(signature, known, residual)
+    if signature.missing:  # nobody knows what it does to these readings: they say nothing for it
+        statistic = np.zeros_like(statistic)
     peaks = peaks_of(statistic, HELD * float(statistic.max()))
     best = peaks[0]
     most = float(statistic[best])
