@@ -72,6 +72,28 @@ def test_backlash_of_one_line_is_named_with_its_rival(
     assert found.diagnosis.misfits == ()
 
 
+def test_a_spike_that_hardly_more_than_one_target_shows_has_its_name(
+    measured: tuple[ta.MachineModel, ta.Errors, ta.DataFolder], tmp_path: Path
+) -> None:
+    """Targets stand many decay lengths apart: of height and decay hardly more than a product is known."""
+    model, errors, data = measured
+    rows = data.data.readings
+    there = rows.positions[0]
+    spike, turn, last = np.zeros(there.size), there[0], 0.0
+    for row in np.flatnonzero(rows.run == 0).tolist():
+        before = there[row - 1] if row else 0.0  # home
+        way = float(np.sign(there[row] - before)) or last
+        if row and way != last:
+            turn = before
+        last = way
+        spike[row] = 0.02 * way * np.exp(-abs(there[row] - turn) / 12.0)
+    found = ta.diagnose(model, _changed(data, tmp_path / "data", spike), errors)
+    (cause,) = found.diagnosis.causes
+    kinds = {(one.kind, one.component) for one in (cause.effect, *(rival.effect for rival in cause.rivals))}
+    assert ("reversal_spike", "EXX") in kinds
+    assert len(kinds) <= 3
+
+
 def test_a_new_scale_is_no_cyclic_error_that_aliases_to_it(
     measured: tuple[ta.MachineModel, ta.Errors, ta.DataFolder], tmp_path: Path
 ) -> None:

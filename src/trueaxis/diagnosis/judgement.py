@@ -13,7 +13,7 @@ from trueaxis.diagnosis.instruments import Off, instruments_off
 from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, what_is_free
 from trueaxis.diagnosis.projection import Projection
-from trueaxis.diagnosis.refit import of_exact_form, refit
+from trueaxis.diagnosis.refit import refit
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
 from trueaxis.diagnosis.search import Ground, Search, search_of, without
@@ -21,7 +21,7 @@ from trueaxis.diagnosis.signature import Fitted
 from trueaxis.diagnosis.signatures import directions_of
 from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.diagnosis.structure import Check
-from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
+from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand
 
 TOLERANCE = 0.1  # of the amplitude, by which groups may differ: no real effect has the exact form
 TELLING = 1e-3  # share of the information below which a group says nothing of the amplitude
@@ -56,8 +56,7 @@ def judged_causes(
     hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
     homogeneous_p = [p for _, p in groups]
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
-    sized = all(map(size_is_significant, of_exact_form(ground, causes)))
-    if sized and names_stand(share, (*standing, *causes), checks, homogeneous_p):
+    if names_stand(share, (*standing, *causes), checks, homogeneous_p):
         return Judged(search=with_rivals(ground, found), causes=causes, groups=groups, checks=checks, stand=True)
     return without_names(ground, Judged(search=found, causes=causes, groups=groups, checks=checks, stand=False))
 

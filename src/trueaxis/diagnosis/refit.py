@@ -1,7 +1,6 @@
 """All causes fitted together: Gauss-Newton with shortened steps, with the derivatives that the kernels give."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -46,19 +45,6 @@ def refit(ground: Ground, causes: Sequence[Found], steps: int = STEPS) -> tuple[
         Fitted(effect=effect, kind=kind, values=values[k], u=u, signal=signals[:, k])
         for k, (effect, kind, u) in enumerate(zip(effects, kinds, np.split(spread, ends[1:-1]), strict=True))
     )
-
-
-def of_exact_form(ground: Ground, causes: Sequence[Fitted]) -> tuple[Fitted, ...]:
-    """The same values, as uncertain as they are if every cause has the form of its kind: that of a real one may differ
-    by a share of its size, which leaves a size less certain and none less certainly there.
-    """
-    if not causes:
-        return ()
-    values = [one.values for one in causes]
-    _, jacobian = _linearised(ground.readings, [one.effect for one in causes], values)
-    _, covariance = _solved(ground.base.rest(ground.whitening(jacobian)), ground.values)
-    spread = np.split(np.sqrt(np.diag(covariance)), np.cumsum([one.size for one in values])[:-1])
-    return tuple(replace(one, u=np.where(u > 0.0, u, np.nan)) for one, u in zip(causes, spread, strict=True))
 
 
 def _bounds(one: Found, values: FloatArray, readings: Readings) -> tuple[FloatArray, FloatArray]:
