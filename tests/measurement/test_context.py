@@ -11,7 +11,13 @@ from tests.measurement.adapter import GeneratorModel
 from trueaxis.measurement.context import context_of, path_velocity
 from trueaxis.measurement.reading_effects import polar_angle, reading_context_of
 from trueaxis.measurement.readings import Readings, approach_directions
-from trueaxis.measurement.reversals import distance_since_reversal, duration_by_feed, time_since_reversal
+from trueaxis.measurement.reversals import (
+    distance_since,
+    duration_by_feed,
+    reversals_of_standing,
+    reversals_on_the_way,
+    time_since,
+)
 from trueaxis.measurement.setup import PointOn, Run
 
 INF, NAN = np.inf, np.nan
@@ -134,7 +140,8 @@ def test_nothing_tells_the_time_since_a_reversal_while_a_table_turns_alone() -> 
     path = np.array([[0, 0, 0, 5.0], [0, 10, 5, 5.0]])
     duration = duration_by_feed(axes, path, np.full(4, 600.0))
     assert np.isnan(duration).tolist() == [False, True, True, False]
-    found = time_since_reversal(np.array([[0, 0, 0, 1.0], [0, 1, -1, -1]]), np.full(4, NAN), duration)
+    turned = reversals_on_the_way(axes, np.array([[0, 0, 0, 1.0], [0, 1, -1, -1]]), path)
+    found = time_since(turned, np.full(4, NAN), duration)
     assert np.isnan(found[1, 2:]).all()
     assert (found[0] == INF).all()
 
@@ -143,7 +150,27 @@ def test_directions_that_are_given_turn_the_axis_where_they_change() -> None:
     given = np.array([[1, 0, -1, -1, 1.0]])
     path = np.array([[5, 9, 9, 8, 8.0]])
     # 0 says nothing; the target at 9 is approached from both sides, the one at 8, too
-    assert distance_since_reversal(given, path).tolist() == [[INF, INF, 0, 1, 0]]
+    assert distance_since(reversals_of_standing(given, path), path).tolist() == [[0, 4, 0, 1, 0]]
+
+
+def test_an_axis_that_comes_back_to_a_target_from_the_same_side_has_turned_beyond_it() -> None:
+    path, given = np.array([[0, 30, 60, 0, 30, 60.0]]), np.ones((1, 6))
+    assert distance_since(reversals_of_standing(given, path), path).tolist() == [[0, 30, 60, 0, 30, 60]]
+    both = np.array([[1, 1, -1, -1, 1, 1.0]])  # poses of a target from both sides
+    path = np.array([[0, 10, 10, 20, 20, 30.0]])
+    assert distance_since(reversals_of_standing(both, path), path).tolist() == [[0, 10, 0, 0, 0, 10]]
+
+
+@pytest.mark.parametrize("start", [-0.293, -0.053, 0.0, 0.004, 0.05])
+def test_an_arc_has_begun_before_its_first_reading(start: float) -> None:
+    """X turns at 0: where the arc begins past that, it has turned as on the circle that leads there."""
+    angle = np.arange(0.01 + start, 1.4, 0.02)
+    path = [100.0 * np.cos(angle), 100.0 * np.sin(angle), np.zeros(angle.size)]
+    found = context_of((bar("a"),), readings((bar("a"),), [path], time=2.0 * angle, feed=np.full(angle.size, 3000.0)))
+    past = angle > 0.0
+    np.testing.assert_allclose(found.path_since[0, past], 100.0 * angle[past], atol=0.02)
+    np.testing.assert_allclose(found.time_since[0, past], 2.0 * angle[past], atol=4e-4)
+    np.testing.assert_allclose(found.since_reversal[0, past], 100.0 * (1.0 - np.cos(angle[past])), atol=0.02)
 
 
 def test_an_order_of_rows_changes_nothing() -> None:

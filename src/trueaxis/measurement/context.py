@@ -16,11 +16,13 @@ from trueaxis.io.faults import Fault
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.reversals import (
-    distance_since_reversal,
+    SECONDS,
+    distance_since,
     duration_by_feed,
-    path_since_reversal,
-    time_since_reversal,
-    turned_on_the_way,
+    path_since,
+    reversals_of_standing,
+    reversals_on_the_way,
+    time_since,
 )
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
@@ -28,7 +30,6 @@ from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.model import MachineModel
 
 IntArray = npt.NDArray[np.int64]
-SECONDS = 60.0  # of a minute: feeds are in mm/min
 BoolArray = npt.NDArray[np.bool_]
 
 _COLUMNS = {  # variables of an axis and what tells them
@@ -90,12 +91,13 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
 
     Directions are those of the rows. What has passed since the last reversal is that of the commanded positions. Laser
     and probe read standing axes, which come to the first target of a run from a reversal beyond it (ISO 230-1, approach
-    from one side): ways count from the first target; since when the axis stands there, nobody knows, and the time since
-    that reversal is infinite, as it is since later ones where no times are given: what passes within seconds is over
-    when a standing axis is read. A ball bar is read on the way: an axis turns where its velocity along the path passes
-    through zero, between two readings; velocities have the feed along the tangent of the path or, where no feed is
-    given, follow from the times. Home is where laser and probe were zeroed before they read: no axis has moved or
-    turned back yet, and time and temperature are those of the run's first row.
+    from one side), and to a later one where the way from the reading before is against the direction: ways count from
+    that target; since when the axis stands there, nobody knows, and the time since that reversal is infinite, as it is
+    where no times are given: what passes within seconds is over when a standing axis is read. A ball bar is read on the
+    way: an axis turns where its velocity along the path passes through zero, between two readings or before the first;
+    velocities have the feed along the tangent of the path or, where no feed is given, follow from the times. Home is
+    where laser and probe were zeroed before they read: no axis has moved or turned back yet, and time and temperature
+    are those of the run's first row.
     """
     shape = rows.positions.shape
     count = shape[1]
@@ -104,7 +106,7 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
     )
     directions = rows.directions.astype(np.float64)
     velocity = np.zeros(shape)
-    since, time_since, path_since = (np.full(shape, np.inf) for _ in range(3))
+    since, times_since, ways_since = (np.full(shape, np.inf) for _ in range(3))
     home_time, home_temperature = np.full(count, np.nan), np.full(count, np.nan)
     order = np.lexsort((rows.seq, rows.run))
     starts = np.flatnonzero(np.diff(rows.run[order], prepend=-1))
@@ -113,12 +115,12 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
             continue
         path, ways = rows.positions[:, mine], directions[:, mine]
         standing = runs[rows.run[mine[0]]].instrument != "ballbar"
-        share, beyond = turned_on_the_way(rows.axes, ways, path) if not standing else (0.0, 0.0)
+        turned = reversals_of_standing(ways, path) if standing else reversals_on_the_way(rows.axes, ways, path)
+        since[:, mine] = distance_since(turned, path)
+        ways_since[:, mine] = path_since(turned, rows.axes, path)
         fed = np.full(mine.size, np.nan) if standing else feed[mine]  # how long an axis stood no feed tells
-        since[:, mine] = distance_since_reversal(ways, path, turned_before=standing) + beyond
-        passed = time_since_reversal(ways, time[mine], duration_by_feed(rows.axes, path, fed), share)
-        time_since[:, mine] = np.where(np.isnan(passed), np.inf, passed) if standing else passed
-        path_since[:, mine] = path_since_reversal(rows.axes, ways, path, share, turned_before=standing)
+        passed = time_since(turned, time[mine], duration_by_feed(rows.axes, path, fed))
+        times_since[:, mine] = np.where(np.isnan(passed), np.inf, passed) if standing else passed
         home_time[mine], home_temperature[mine] = time[mine[0]], temperature[mine[0]]
         if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
@@ -127,8 +129,8 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
         directions=directions,
         velocity=velocity,
         since_reversal=since,
-        time_since=time_since,
-        path_since=path_since,
+        time_since=times_since,
+        path_since=ways_since,
         time=time,
         temperature=temperature,
         home=home,

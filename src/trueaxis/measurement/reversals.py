@@ -1,7 +1,7 @@
-"""What has passed since an axis turned back last: its own way, time, and the way along the path."""
+"""Where axes turn back in a run, and what has passed since: their own way, the way along the path, and time."""
 
 from collections.abc import Sequence
-from typing import cast
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -9,80 +9,113 @@ import numpy.typing as npt
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
 
+IntArray = npt.NDArray[np.int64]
 SECONDS = 60.0  # of a minute: feeds are in mm/min
 
 
-def distance_since_reversal(directions: FloatArray, path: FloatArray, *, turned_before: bool = False) -> FloatArray:
-    """(n_axes, n): the way of each axis since its direction changed last, mm or deg; infinite before the first change.
+@dataclass(frozen=True, slots=True, eq=False)
+class Reversals:
+    """The last reversal of each axis before each reading of a run, in the order of reading: (n_axes, n) each.
 
-    directions: (n_axes, n), +1, -1, or 0, which changes nothing; path: (n_axes, n), both in the order of reading. The
-    change is taken to have happened at the reading before the first one with the new direction. turned_before: the
-    first direction of an axis is a change, too.
+    row: the reading from which it is counted, -1 where there was none; share: of the step after that reading, on which
+    the axis turned: below 0 where it turned before the reading; beyond: by how much farther the axis has come since
+    than from that reading, mm or deg; stood: whether nobody knows how long the axis stood at that reading.
     """
-    way = np.cumsum(np.abs(np.diff(path, prepend=path[:, :1], axis=1)), axis=1)
-    return _since(way, _turnings(directions, turned_before=turned_before))
+
+    row: IntArray
+    share: FloatArray
+    beyond: FloatArray
+    stood: npt.NDArray[np.bool_]
+
+    def since_row(self, counted: FloatArray) -> FloatArray:
+        """(n_axes, n): what has passed since `row` of what counts up along the readings, (n,) or (n_axes, n); infinite
+        before the first reversal.
+        """
+        counted = np.broadcast_to(counted, self.row.shape)
+        at = np.take_along_axis(counted, np.maximum(self.row, 0), axis=1)
+        found: FloatArray = np.where(self.row < 0, np.inf, counted - at)
+        return found
+
+    def since(self, counted: FloatArray) -> FloatArray:
+        """(n_axes, n): the same since the axis turned, between two readings."""
+        found = self.since_row(counted)
+        turned = self.share != 0.0
+        if turned.any():
+            steps = np.diff(np.broadcast_to(counted, self.row.shape), append=np.nan, axis=1)
+            found[turned] -= (self.share * np.take_along_axis(steps, np.maximum(self.row, 0), axis=1))[turned]
+        return found
 
 
-def path_since_reversal(
-    axes: Sequence[str],
-    directions: FloatArray,
-    path: FloatArray,
-    share: FloatArray | float = 0.0,
-    *,
-    turned_before: bool = False,
-) -> FloatArray:
-    """(n_axes, n), mm: the way along the path of all linear axes since each axis turned back, as above.
+def reversals_of_standing(directions: FloatArray, path: FloatArray) -> Reversals:
+    """Of axes that are read while they stand, approaching from directions (n_axes, n): +1, -1, or 0, which changes
+    nothing. path: (n_axes, n).
 
-    share: (n_axes, n), of the step after the reading before, on which it turned.
+    An axis turns at the reading before its direction changed; at the target itself, just beyond it, where it comes to
+    it from the side away from the reading before; and before the first target (ISO 230-1, approach from one side).
     """
-    way = np.cumsum(_steps(axes, path))
-    return _since(np.broadcast_to(way, path.shape), _turnings(directions, turned_before=turned_before), share)
+    changed = _changes(directions)
+    returned = np.diff(path, prepend=path[:, :1], axis=1) * directions < 0.0
+    row = np.maximum.accumulate(np.where(returned, np.arange(path.shape[1]), changed), axis=1)
+    moved = np.maximum.accumulate(directions != 0.0, axis=1)
+    first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
+    turned = np.where((row < 0) & moved, first, row)
+    return Reversals(turned, np.zeros(path.shape), np.zeros(path.shape), (row > changed) | (row < 0))
 
 
-def turned_on_the_way(axes: Sequence[str], directions: FloatArray, path: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where axes turn between readings of a steady motion, by velocities that are linear along the path between the
-    middles of its steps: exact for a parabola.
+def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: FloatArray) -> Reversals:
+    """Of axes that are read while they move steadily: where the velocity along the path passes zero.
 
-    (n_axes, n) each: the share, of the step from the reading before its direction changed, at which each axis turned
-    last (below 0 where it was a little earlier: the chord to that reading still had the old direction), and by how much
-    farther the axis has come since than from that reading.
+    Velocities are those of the middles of the steps, linear in between, which is exact for a parabola. A run is taken
+    to have begun earlier on the same curve, as that of a ball bar does: an axis may have turned before its first
+    reading. Cost in proportion to the readings.
     """
+    row, count = _changes(directions), path.shape[1]
     share, beyond = np.zeros(path.shape), np.zeros(path.shape)
-    turned, count = _turnings(directions), path.shape[1]
     steps = _steps(axes, path)
     way = np.cumsum(steps) if (steps[1:] > 0.0).all() else np.arange(float(count))
     middle = 0.5 * (way[1:] + way[:-1])
-    for axis in range(path.shape[0]):
+    for axis in range(path.shape[0] if count > 2 else 0):
         velocity = np.diff(path[axis]) / np.diff(way)
-        for before in np.unique(turned[axis][(turned[axis] > 0) & (turned[axis] < count - 2)]).tolist():
-            one = before - 1 if velocity[before] * directions[axis, before + 1] > 0.0 else before
-            low, high = velocity[one : one + 2].tolist()
-            if low * high >= 0.0:
+        bent = np.diff(velocity) / np.diff(middle)
+        for turn in np.unique(row[axis, row[axis] < count - 2]).tolist():
+            before_all = turn < 0
+            after = max(turn, 0) + 1
+            # the chord to the reading before the change still had the old direction where the axis turned after it
+            one = after - 1 if before_all or velocity[after - 1] * directions[axis, after] <= 0.0 else after - 2
+            turned = velocity[one] * bent[one] > 0.0 if before_all else velocity[one] * velocity[one + 1] < 0.0
+            if one < 0 or not turned:
                 continue
-            bent = (high - low) / (middle[one + 1] - middle[one])
-            at = min(middle[one] - low / bent, way[before + 1])
-            mine = turned[axis] == before
-            share[axis, mine] = (at - way[before]) / (way[before + 1] - way[before])
-            gone = 0.5 * abs(bent) * (way[before + 1] - at) ** 2
-            beyond[axis, mine] = gone - abs(path[axis, before + 1] - path[axis, before])
-    return share, beyond
+            at = min(middle[one] - velocity[one] / bent[one], way[after])
+            mine = (row[axis] == turn) & (way > at)
+            row[axis, mine] = after - 1
+            share[axis, mine] = (at - way[after - 1]) / (way[after] - way[after - 1])
+            gone = 0.5 * abs(bent[one]) * (way[after] - at) ** 2
+            beyond[axis, mine] = gone - abs(path[axis, after] - path[axis, after - 1])
+    return Reversals(row, share, beyond, np.zeros(path.shape, dtype=bool))
 
 
-def time_since_reversal(
-    directions: FloatArray, time: FloatArray, duration: FloatArray, share: FloatArray | float = 0.0
-) -> FloatArray:
+def distance_since(turned: Reversals, path: FloatArray) -> FloatArray:
+    """(n_axes, n), mm or deg: the way of each axis since it turned back last; infinite before it did."""
+    return turned.since_row(np.cumsum(np.abs(np.diff(path, prepend=path[:, :1], axis=1)), axis=1)) + turned.beyond
+
+
+def path_since(turned: Reversals, axes: Sequence[str], path: FloatArray) -> FloatArray:
+    """(n_axes, n), mm: the way along the path of all linear axes since each axis turned back last."""
+    return turned.since(np.cumsum(_steps(axes, path)))
+
+
+def time_since(turned: Reversals, time: FloatArray, duration: FloatArray) -> FloatArray:
     """(n_axes, n), s: the time since each axis turned back in the run, infinite before; NaN where nothing tells it.
 
     time: (n,), s, NaN where unknown; duration: (n,), s, of the way to each reading, which tells where times do not: NaN
-    where it is unknown, too; share: (n_axes, n), of the step on which it turned.
+    where it is unknown, too.
     """
-    turned = _turnings(directions)
-    told = _since(np.broadcast_to(time, directions.shape), turned, share)
+    told = np.where(turned.stood, np.inf, turned.since(time))
     gaps = np.isnan(duration)
-    unknown = _since(np.broadcast_to(np.cumsum(gaps, dtype=np.float64), directions.shape), turned) > 0.0
-    summed = _since(np.broadcast_to(np.cumsum(np.where(gaps, 0.0, duration)), directions.shape), turned, share)
-    found = np.where(told >= 0.0, told, np.where(unknown, np.nan, summed))
-    return cast(FloatArray, np.where(turned < 0, np.inf, found))
+    unknown = turned.since(np.cumsum(gaps, dtype=np.float64)) > 0.0
+    summed = turned.since(np.cumsum(np.where(gaps, 0.0, duration)))
+    found: FloatArray = np.where(told >= 0.0, told, np.where(unknown, np.nan, summed))
+    return found
 
 
 def duration_by_feed(axes: Sequence[str], path: FloatArray, feed: FloatArray) -> FloatArray:
@@ -104,25 +137,12 @@ def _steps(axes: Sequence[str], path: FloatArray) -> FloatArray:
     return steps
 
 
-def _turnings(directions: FloatArray, *, turned_before: bool = False) -> npt.NDArray[np.int64]:
-    """(n_axes, n): the reading at which each axis turned back last, -1 before the first time."""
+def _changes(directions: FloatArray) -> IntArray:
+    """(n_axes, n): the reading before the last change of direction, -1 before the first."""
     rows = np.arange(directions.shape[1])
     last = np.maximum.accumulate(np.where(directions != 0.0, rows, 0), axis=1)
     held = np.take_along_axis(directions, last, axis=1)
     changed = np.zeros(directions.shape, dtype=bool)
     changed[:, 1:] = held[:, 1:] * held[:, :-1] < 0.0
-    turned = np.maximum.accumulate(np.where(changed, rows, 0), axis=1)
-    found = np.where(turned > 0, turned - 1, -1)
-    if turned_before:
-        first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
-        found = np.where((turned == 0) & (held != 0.0), first, found)
-    return found
-
-
-def _since(counted: FloatArray, turned: npt.NDArray[np.int64], share: FloatArray | float = 0.0) -> FloatArray:
-    """(n_axes, n): what counts up along the readings (n_axes, n), from where it turned last; infinite before."""
-    at_turn = np.take_along_axis(counted, np.maximum(turned, 0), axis=1)
-    after = np.take_along_axis(counted, np.minimum(turned + 1, counted.shape[1] - 1), axis=1)
-    at_turn = np.where(np.asarray(share) != 0.0, at_turn + share * (after - at_turn), at_turn)
-    found: FloatArray = np.where(turned < 0, np.inf, counted - at_turn)
+    found: IntArray = np.maximum.accumulate(np.where(changed, rows - 1, -1), axis=1)
     return found
