@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from tests.worlds.kinematics import coordinates, follow
 from tests.worlds.lines import three
@@ -12,8 +13,10 @@ from tests.worlds.plan import Habits, Measurement, Run, Track
 
 Source = np.random.Generator
 
+FINER = 30  # steps of a path for one of its samples
 FREE_OF_REVERSALS = 1.6  # samples next to a reversal that are left out, in steps
 SLOWEST_SHARE = 1e-9
+FARTHER = 1e-3  # mm or deg, than what rounding moves an axis by
 
 
 def draw_circle(source: Source, machine: Machine, habits: Habits, name: str, plane: str, arc: bool) -> Measurement:
@@ -138,20 +141,24 @@ def _circle_track(
 
 
 def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Track:
-    """A path at a steady speed of one rotary axis, deg/s; the others by their commanded positions."""
+    """A path at a steady speed of one rotary axis, deg/s; the others follow it smoothly and turn between samples."""
     count = len(positions[axis])
     time: Array = np.asarray(np.abs(positions[axis] - positions[axis][0]) / speed, float)
-    velocity: dict[str, Array] = {letter: np.gradient(values, time) for letter, values in positions.items()}
+    courses = {letter: CubicSpline(time, values) for letter, values in positions.items()}
+    velocity: dict[str, Array] = {letter: course(time, 1) for letter, course in courses.items()}
     velocity = {letter: np.where(np.abs(v) > SLOWEST_SHARE, v, 0.0) for letter, v in velocity.items()}
     directions = {letter: np.sign(values) for letter, values in velocity.items()}
     since, path, turned = ({letter: np.full(count, np.inf) for letter in positions} for _ in range(3))
-    steps = np.linalg.norm([np.diff(values) for letter, values in positions.items() if letter in "XYZ"], axis=0)
-    for letter, values in positions.items():
-        turns = np.flatnonzero(np.diff(directions[letter]))
-        for turn in turns:
-            since[letter][turn + 1 :] = np.cumsum(np.abs(np.diff(values[turn:])))
-            path[letter][turn + 1 :] = np.cumsum(steps[turn:])
-            turned[letter][turn + 1 :] = time[turn + 1 :] - time[turn]
+    fine = np.linspace(time[0], time[-1], FINER * count)
+    steps = np.linalg.norm([np.diff(courses[letter](fine)) for letter in positions if letter in "XYZ"], axis=0)
+    gone = np.concatenate([[0.0], np.cumsum(steps)])
+    for letter, course in courses.items():
+        moves = np.ptp(positions[letter]) > FARTHER
+        for turn in np.sort(course.derivative().roots(extrapolate=False)) if moves else []:
+            after = time > turn
+            since[letter][after] = np.abs(positions[letter] - course(turn))[after]
+            path[letter][after] = (np.interp(time, fine, gone) - np.interp(turn, fine, gone))[after]
+            turned[letter][after] = (time - turn)[after]
     linear: Array = np.stack([velocity[letter] for letter in positions if letter in "XYZ"])
     feed: Array = np.asarray(60.0 * np.sqrt((linear**2).sum(axis=0)), float)
     return Track(positions, directions, since, path, turned, velocity, time, np.where(feed > 1.0, feed, np.nan))

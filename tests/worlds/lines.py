@@ -159,6 +159,19 @@ def way_since_turn(path: Array, directions: Array, overtravel: float) -> Array:
     return found
 
 
+def path_since_turn(since: Array, positions: Mapping[str, Array], own: Array) -> Array:
+    """Way of the linear axes together since one of them turned, (n,), mm, by the way of its own since then."""
+    linear = [np.diff(values, prepend=values[0]) for axis, values in positions.items() if axis in "XYZ"]
+    steps, mine = np.linalg.norm(linear, axis=0), np.abs(np.diff(own, prepend=own[0]))
+    found = since.copy()
+    for k in range(1, len(since)):
+        if np.isclose(since[k], since[k - 1] + mine[k]):
+            found[k] = found[k - 1] + steps[k]
+        elif since[k] >= mine[k]:  # it turned where it stood before, or an overtravel beyond
+            found[k] += steps[k] - mine[k]
+    return found
+
+
 def _home(
     source: Source, machine: Machine, habits: Habits, moved: Mapping[str, Array], still: Mapping[str, float]
 ) -> tuple[dict[str, float], str]:

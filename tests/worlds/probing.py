@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from tests.worlds.kinematics import coordinates, follow
-from tests.worlds.lines import RAPID, steps_taken, three, way_since_turn
+from tests.worlds.lines import RAPID, path_since_turn, steps_taken, three, way_since_turn
 from tests.worlds.machine import Array, Machine
 from tests.worlds.plan import Habits, Measurement, Run, Track
 
@@ -42,7 +42,8 @@ def draw_sphere(source: Source, machine: Machine, habits: Habits, name: str, fra
     zero = dict.fromkeys(machine.axes, np.zeros(count))
     time = np.cumsum(base + longest / RAPID)
     never = {axis: np.full(count, np.inf) for axis in positions}
-    track = Track(positions, directions, since, never, never, zero, time, np.full(count, np.nan))
+    path = {axis: path_since_turn(values, positions, positions[axis]) for axis, values in since.items()}
+    track = Track(positions, directions, since, path, never, zero, time, np.full(count, np.nan))
     run = Run(name, "probe", ("tool", three(tool)), ("workpiece", three(ball)), frame, name, home)
     runs = []
     for k, letter in enumerate("XYZ"):
