@@ -96,7 +96,7 @@ def lobes_left_out(axis: str, lobes: tuple[int, ...]) -> tuple[int, float]:
 
 def _columns(model: MachineModel, rows: Rows, degree: int) -> FloatArray:
     """(n, k): errors of the machine and the zeros of the probe runs: where the one sphere is. It has no alignment."""
-    base = base_of(model, rows, degree)
+    base = base_of(model, rows, degree=degree)
     zeros = [np.isin(np.arange(rows.size), run.rows.at).astype(np.float64) for run in base.runs]
     return np.column_stack([base.machine.dense(), *zeros])
 

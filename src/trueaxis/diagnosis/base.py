@@ -1,12 +1,12 @@
 """The saturated base: everything that recalibration could change, so smooth that nothing smooth is left to hunt for.
 
-Every component error is a Legendre curve of degree 12 of its axis, every location error is free, and so is what nobody
-knows of the set-ups of the instruments. The scale and the alignment of a laser are known to parts in a million, and
-vary by chance within that.
+Every component error is a Legendre curve of degree 12 of its axis, of a higher one where readings show that it is
+rougher, every location error is free, and so is what nobody knows of the set-ups of the instruments. The scale and the
+alignment of a laser are known to parts in a million, and vary by chance within that.
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -30,6 +30,7 @@ from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of, open_steps
 
 DEGREE = 12
+ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
 PLACES = 201  # over the travel, at which a curve is looked at
 
 
@@ -38,15 +39,16 @@ class Base:
     """Columns in mm, not whitened, of n readings.
 
     columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
-    runs share; of_machine: how many are the machine's; components: the component error or location error of each of
-    these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
-    anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
-    deviation each; shared: the unknowns of the columns of set-ups, then of these; own: (n_r, k) of every run with
-    readings; own_kinds: the class of each of these; runs: these runs.
+    runs share; of_machine: how many are the machine's; rough: components of degree ROUGH; components: the component
+    error or location error of each of the machine's; units: `mm` or `rad` of each component and location error;
+    expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units; bases: of
+    the curves; by_chance: (n, k), one standard deviation each; shared: the unknowns of the columns of set-ups, then of
+    these; own: (n_r, k) of every run with readings; own_kinds: the class of each of these; runs: these runs.
     """
 
     columns: ByRun
     of_machine: int
+    rough: tuple[str, ...]
     components: tuple[str, ...]
     units: Mapping[str, str]
     expected: FloatArray
@@ -97,8 +99,11 @@ def _few_of_run(parts: Sequence[Derivative]) -> tuple[FloatArray, FloatArray]:
     return block_diag(*(one.by_few for one in parts)), np.vstack([one.others for one in parts])
 
 
-def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
-    """The base of some rows; dimensions keep the values that the model has."""
+def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree: int = DEGREE) -> Base:
+    """The base of some rows; dimensions keep the values that the model has.
+
+    degree: of the curves, but for those of rough components.
+    """
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
     known = ErrorValues(machine=model.name, parameters=dimensions)
     bare = model.with_values(known)
@@ -112,7 +117,13 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         directions=rows.directions.astype(np.int8),
         context=rows.context,
     )
-    layout = layout_of(bare, observed, known, degree=degree)
+    layout = layout_of(
+        bare,
+        observed,
+        known,
+        degree=degree,
+        other_degrees={ErrorName(name): rough_degree(rows, name) for name in rough},
+    )
     runs = measured_runs(observed)
     parts = [list(derivatives(layout, one.rows)) for one in runs]
     everything = by_run(_few_of_run(one) for one in parts)
@@ -124,6 +135,7 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     return Base(
         columns=everything.take(~chance),
         of_machine=layout.of_machine,
+        rough=tuple(sorted(rough)),
         components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
         units={name: name.unit for name in layout.components}
         | {name: model.machine.parameter_unit(name) for name in layout.locations},
@@ -136,6 +148,13 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
         runs=tuple(runs),
     )
+
+
+def rough_degree(rows: Rows, component: str) -> int:
+    """Of a rougher curve: no more than one for two positions at which a run was read, else it would follow anything."""
+    at = rows.positions[rows.axes.index(ErrorName(component).axis)]
+    most = max(np.unique(at[rows.of_run(index)]).size for index in rows.present)
+    return max(DEGREE, min(ROUGH, most // 2))
 
 
 def given_by_chance(model: MachineModel, base: Base, covariance: Covariance) -> FloatArray:

@@ -146,6 +146,13 @@ def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
     return replace(found, values=null.values, outliers=null.outliers, given=null.given)
 
 
+def rougher(model: MachineModel, null: Null, component: str, noise_um: float | None) -> Null:
+    """With a rougher curve of one more component; `given` is that of no value."""
+    base = base_of(model, null.rows, (*null.base.rough, component))
+    found = _with_noise(null.rows, base, null.values, noise_um, null.found)
+    return replace(found, outliers=null.outliers)
+
+
 def _with_noise(
     rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
 ) -> Null:

@@ -13,11 +13,12 @@ from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
-from trueaxis.diagnosis.null import Null, again, null_of, what_is_free
+from trueaxis.diagnosis.null import Null, again, null_of, rougher, what_is_free
 from trueaxis.diagnosis.prospect import prospect_of
 from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnosis.rivals import with_best_periods
+from trueaxis.diagnosis.roughness import roughness_of
 from trueaxis.diagnosis.rows import Rows, rows_of, smoothed
 from trueaxis.diagnosis.search import Each, Found, Ground, Search, likeliest, search
 from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
@@ -61,9 +62,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     if rows.size == 0:
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
-    null = null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um)
-    if options.covariance is not None:
-        null = replace(null, given=given_by_chance(model, null.base, options.covariance))
+    null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
     readings = readings_of(model, null.rows)
     standing = standing_effects(readings)
     free = refitted_columns(readings, standing)
@@ -126,7 +125,7 @@ def _beside_causes(
 
     Without repeats the noise takes up what nobody has named yet, and hides it.
     """
-    ground, found, causes = _searched(readings, free, null, options, standing)
+    null, ground, found, causes = _searched(readings, free, null, options, standing)
     start = (found.causes,) if causes else tuple((one,) for one in likeliest(ground, found))
     for tried in start:
         known = refit(ground, tried)
@@ -135,8 +134,8 @@ def _beside_causes(
         if not causes and not changed:
             continue  # the noise is no reason why nothing was found
         anew = _searched(readings, free, fresh if changed else null, options, (*standing, *known), tried)
-        if causes or anew[2]:
-            return (fresh if changed else null, *anew)
+        if causes or anew[3]:
+            return anew
     return null, ground, found, causes
 
 
@@ -147,7 +146,8 @@ def _searched(
     options: DiagnoseOptions,
     known: Sequence[Fitted],
     start: Sequence[Found] = (),
-) -> tuple[Ground, Search, tuple[Fitted, ...]]:
+) -> tuple[Null, Ground, Search, tuple[Fitted, ...]]:
+    """With the base as rough as it has to be. known: causes whose forms may lack something; start: where to begin."""
     white = null.whitening
     plain = what_is_free(null, free)
     bare = Ground(
@@ -160,11 +160,22 @@ def _searched(
         values=white(null.values),
         freedom=freedom_of(null.rows, white.sigma, null.noise),
         progress=options.progress,
+        roughness=roughness_of(readings.model, null),
+        rough=null.base.rough,
         each=options.each,
     )
     ground = beside_forms(bare, known)
     found = search(ground, start)
-    return ground, found, refit(ground, found.causes)
+    if found.rough:
+        rough = _given(rougher(readings.model, null, found.rough, options.noise_um), readings.model, options)
+        return _searched(readings, free, rough, options, known, start)
+    return null, ground, found, refit(ground, found.causes)
+
+
+def _given(null: Null, model: MachineModel, options: DiagnoseOptions) -> Null:
+    if options.covariance is None:
+        return null
+    return replace(null, given=given_by_chance(model, null.base, options.covariance))
 
 
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:

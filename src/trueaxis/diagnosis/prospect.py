@@ -81,7 +81,7 @@ def prospect_of(ground: Ground) -> Prospect:
     readings = ground.readings
     further = menu(readings.model, readings.rows)
     everything = _with_further(readings.rows, further)
-    base = base_of(readings.model, everything)
+    base = base_of(readings.model, everything, ground.rough)
     known: dict[str, list[RunNoise]] = {}
     groups = noise_groups(readings.rows.runs)
     for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):

@@ -12,11 +12,13 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Inner, Prepared, inner_of, prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.roughness import Roughness
 from trueaxis.diagnosis.scan import Residual, Scanned, residual_of, scanned
 from trueaxis.diagnosis.signature import Fitted, Readings, Signature
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.whiten import Whitening
-from trueaxis.effects.kind import Effect
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import SINCE_REVERSAL, used_variables
 from trueaxis.estimation.effects.grids import ZOOMS, Point, finer
 
 FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
@@ -64,7 +66,8 @@ class Found:
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Search:
     """causes, in order of what they explain; first: every candidate's scan before any cause was taken; projection:
-    base and causes; residual: (n,), whitened, what they leave; threshold: of the evidence.
+    base and causes; residual: (n,), whitened, what they leave; threshold: of the evidence; rough: a component whose
+    rougher curve explains more than another cause would: the search is of use again once the base has it.
     """
 
     causes: tuple[Found, ...]
@@ -72,6 +75,7 @@ class Search:
     projection: Projection
     residual: FloatArray
     threshold: float
+    rough: str = ""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -79,7 +83,8 @@ class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
     plain: the base before anything is known of causes; wide: the base with all that the forms of the causes leave open,
-    for their sizes; each: `map`, or one that works on several candidates at once; known: of candidates scanned before.
+    for their sizes; rough: components of which the base has rougher curves; roughness: of the others, where it is
+    looked at; each: `map`, or one that works on several candidates at once; known: of candidates scanned before.
     """
 
     readings: Readings
@@ -91,6 +96,8 @@ class Ground:
     values: FloatArray
     freedom: Freedom
     progress: Progress
+    rough: tuple[str, ...] = ()
+    roughness: Roughness | None = None
     each: Each = map
     known: dict[Effect, Prepared] = field(default_factory=dict, repr=False)
 
@@ -124,14 +131,42 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
         causes = _settled(ground, causes)
     while len(causes) < MOST_CAUSES:
         residual = ground.left(beside_causes(ground, causes))
-        taken = {one.scan.effect for one in causes}
-        scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
+        scans = scan_all(ground, residual, [one for one in ground.effects if not _told(ground, one, causes)])
         first = first or scans
         best = best_of(ground, residual, scans)
-        if best is None or best.scan.evidence < ground.threshold + FURTHER * bool(causes):
+        least = ground.threshold + FURTHER * bool(causes)
+        if rough := _rougher(ground, causes, best, least):
+            return replace(search_of(ground, causes, first), rough=rough)
+        if best is None or best.scan.evidence < least:
             break
         causes = _settled(ground, [*causes, best])
+    for index, one in enumerate(causes):
+        if rough := _rougher(ground, causes[:index] + causes[index + 1 :], one, ground.threshold):
+            return replace(search_of(ground, causes, first), rough=rough)
     return search_of(ground, causes, first)
+
+
+def _told(ground: Ground, effect: Effect, causes: Sequence[Found]) -> bool:
+    """Whether one of the causes says as much already: of an error that decays from a reversal no second decay is told
+    from what its own form lacks.
+    """
+    others = [one.scan.effect for one in causes]
+    same = [one.signature.kind for one in causes if effect.component and one.scan.effect.component == effect.component]
+    return effect in others or (any(map(_decays, same)) and _decays(ground.readings.model.machine.kinds[effect.kind]))
+
+
+def _decays(kind: Kind) -> bool:
+    return not set(SINCE_REVERSAL).isdisjoint(used_variables(kind))
+
+
+def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least: float) -> str:
+    """The component whose rougher curve explains more beside causes than the rival does; empty where none does."""
+    if ground.roughness is None:
+        return ""
+    rough = ground.roughness.roughest(beside_causes(ground, causes), ground.values, ground.freedom)
+    if rough is None or rough.evidence < least or (rival and rival.scan.preference >= rough.preference):
+        return ""
+    return rough.component
 
 
 def search_of(ground: Ground, causes: Sequence[Found], first: tuple[Scanned, ...]) -> Search:

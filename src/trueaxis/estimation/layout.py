@@ -117,14 +117,19 @@ def layout_of(
     given: ErrorValues,
     effects: EffectUnknowns | None = None,
     degree: int = DEGREE,
+    other_degrees: Mapping[ErrorName, int] | None = None,
 ) -> Layout:
-    """Every error that is not given, whether a reading holds it or not: what none holds keeps its prior."""
+    """Every error that is not given, whether a reading holds it or not: what none holds keeps its prior.
+
+    degree: of the curves, but for those of other_degrees.
+    """
     effects = effects or EffectUnknowns()
     components = tuple(name for name in model.components if name not in given.motion_errors)
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
     shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness, _order(observed))
-    bases = tuple(travel_basis(model.travel[name.axis], degree) for name in components)
+    others = other_degrees or {}
+    bases = tuple(travel_basis(model.travel[name.axis], others.get(name, degree)) for name in components)
     prior, machine = model.prior, model.machine
     sizes = [
         *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),
