@@ -38,7 +38,7 @@ PLACES = 201  # over the travel, at which a curve is looked at
 class Base:
     """Columns in mm, not whitened, of n readings.
 
-    columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
+    columns: (n, p), per unknown in its unit, see `sizes`: those of the machine, then those of set-ups that
     runs share; of_machine: how many are the machine's; rough: components of degree ROUGH; components: the component
     error or location error of each of the machine's; units: `mm` or `rad` of each component and location error;
     expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units; bases: of

@@ -160,11 +160,11 @@ def _decays(kind: Kind) -> bool:
 
 
 def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least: float) -> str:
-    """The component whose rougher curve explains more beside causes than the rival does; empty where none does."""
+    """The component whose rougher curve explains about as much beside causes as the rival, or more; else empty."""
     if ground.roughness is None:
         return ""
     rough = ground.roughness.roughest(beside_causes(ground, causes), ground.values, ground.freedom)
-    if rough is None or rough.evidence < least or (rival and rival.scan.preference >= rough.preference):
+    if rough is None or rough.evidence < least or (rival and rival.scan.preference > rough.preference + RIVAL):
         return ""
     return rough.component
 

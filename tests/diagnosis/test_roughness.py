@@ -1,0 +1,93 @@
+"""Curves rougher than the base: they compete with the causes, the base takes them, and nothing is named for them."""
+
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+from tests.diagnosis.prepared import SIGMA, Prepared, field, prepared
+from tests.hidden_effects.case import Case, Hidden
+from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.base import DEGREE, ROUGH, base_of, rough_degree
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.roughness import Roughness
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.search import Search, search
+from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.effects.kind import Effect
+from trueaxis.measurement.data import MeasuredData
+from trueaxis.model.model import MachineModel
+
+FloatArray = npt.NDArray[np.float64]
+PLAN = Design(lines=3, repeats=2, targets=45, samples=72)
+
+
+def rough(model: MachineModel, rows: Rows, component: str, size: float) -> FloatArray:
+    """(n,), mm: what a component of degrees 13 to 20 of this RMS, mm or rad, does to the readings."""
+    base = base_of(model, rows, (component,))
+    mine = np.flatnonzero(np.array(base.components) == component)[DEGREE:20]
+    weights = np.random.default_rng(10).standard_normal(mine.size)
+    _, curve = base.curve(component, rows)
+    found = base.machine.take(mine).dense() @ (base.expected[mine] * weights)
+    return np.asarray(size * found / np.sqrt(np.mean((curve[:, DEGREE:20] @ weights) ** 2)), dtype=np.float64)
+
+
+def searched(values: FloatArray, *, looks: bool) -> Search:
+    where = field(PLAN)
+    noise = SIGMA * np.random.default_rng(4).standard_normal(where.readings.rows.size)
+    ground = where.ground(values + noise)
+    return search(replace(ground, roughness=_roughness(where.readings)) if looks else ground)
+
+
+def _roughness(readings: Readings) -> Roughness:
+    where, names = field(PLAN), ("EXX", "EYX", "EZY", "EBX")
+    base = base_of(readings.model, readings.rows, names)
+    of = np.array(base.components)
+    return Roughness({n: base.machine.take(np.flatnonzero(of == n)[DEGREE:]).whitened(where.whitening) for n in names})
+
+
+@pytest.mark.parametrize(("component", "size"), [("EXX", 2e-3), ("EBX", 2e-5)])
+def test_what_is_rough_is_not_a_cause(component: str, size: float) -> None:
+    """Without roughness it has names."""
+    readings = field(PLAN).readings
+    values = rough(readings.model, readings.rows, component, size)
+    assert searched(values, looks=False).causes != ()
+    found = searched(values, looks=True)
+    assert (found.rough, found.causes) == (component, ())
+
+
+def test_a_cyclic_error_is_one_also_where_a_rough_curve_could_follow_it() -> None:
+    """Eight waves over the travel."""
+    readings = field(PLAN).readings
+    span = float(np.ptp(readings.rows.positions[0]))
+    effect = Effect(kind="cyclic", component="EXX")
+    signature = signature_of(readings, effect, ({"pitch": span / 8.0},))
+    found = searched(1e-3 * signature.over_all()[:, 0], looks=True)
+    assert ([one.scan.effect for one in found.causes], found.rough) == ([effect], "")
+
+
+def test_a_curve_is_no_rougher_than_the_positions_at_which_it_was_read() -> None:
+    few = prepared(Case(seed=1, design=Design(lines=2, repeats=2, targets=30, ball_bar=False), noise="none"))
+    many = prepared(Case(seed=1, design=Design(lines=2, repeats=2, targets=70, ball_bar=False), noise="none"))
+    assert rough_degree(few.rows, "EXX") == 15
+    assert rough_degree(many.rows, "EXX") == ROUGH
+    base = base_of(few.model, few.rows, ("EXX",))
+    assert {name: one.degree for name, one in base.bases.items() if one.degree != DEGREE} == {"EXX": 15}
+
+
+def changed(given: Prepared, values: FloatArray) -> MeasuredData:
+    readings = given.data.readings
+    added = np.zeros(readings.reading.size)
+    added[given.rows.row] = values
+    return replace(given.data, readings=replace(readings, reading=readings.reading + added))
+
+
+@pytest.mark.parametrize("hidden", [(), (Hidden("backlash", "EYY", size=6e-3),)])
+def test_values_of_long_ago_are_stale_and_a_cause_beside_them_keeps_its_name(hidden: tuple[Hidden, ...]) -> None:
+    given = prepared(Case(seed=5, design=PLAN, noise="white", sigma_um=0.2, given="exact", effects=hidden))
+    said = diagnose(given.model, changed(given, rough(given.model, given.rows, "EYX", 2e-3)))
+    assert [(one.effect.kind, one.effect.component) for one in said.causes] == [(e.kind, e.component) for e in hidden]
+    assert said.verdict == ("recalibrate" if not hidden else "explained")
+    assert "EYX" in {name for one in said.stale for name in (one.component, *one.alike)}
