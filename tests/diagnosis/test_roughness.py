@@ -7,8 +7,9 @@ import numpy.typing as npt
 import pytest
 
 from tests.diagnosis.prepared import SIGMA, Prepared, field, prepared
-from tests.hidden_effects.case import Case, Hidden
+from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis.base import DEGREE, ROUGH, base_of, rough_degree
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.roughness import Roughness

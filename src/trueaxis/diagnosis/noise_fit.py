@@ -13,7 +13,7 @@ from scipy.linalg import block_diag
 from scipy.optimize import minimize
 
 from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
-from trueaxis.diagnosis.noise_precision import Precision, factor_of, precision_of, solved
+from trueaxis.diagnosis.noise_precision import Precision, factor_less_misfit, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.estimation.factors import few_of
 
@@ -153,7 +153,8 @@ class Likelihood:
         """Minus the logarithm, and what each part tells."""
         found, held, root = [], [], 0.0
         sizes, values = self.sizes(x), self.block.values
-        squares, of_values = np.zeros((self.block.free.shape[1],) * 2), np.zeros(self.block.free.shape[1])
+        count = self.block.free.shape[1]
+        squares, whole, of_values = np.zeros((count, count)), np.zeros(count), np.zeros(count)
         for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
@@ -170,6 +171,7 @@ class Likelihood:
             through = precision @ np.column_stack([few, values[part.rows]])
             inside = few.T @ through
             squares += weights.T @ inside[:, :-1] @ weights
+            whole += np.sum(weights**2, axis=0) / alone.min()  # few are orthonormal
             of_values += weights.T @ inside[:, -1]
             held.append(through)
             found.append(
@@ -184,7 +186,7 @@ class Likelihood:
                     weighed=through[:, -1],
                 )
             )
-        factor = factor_of(squares)
+        factor = factor_less_misfit(squares, whole)
         root += float(np.log(np.diag(factor)).sum())
         told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
         for one, through, (_, _, weights) in zip(found, held, self.known, strict=True):

@@ -85,14 +85,14 @@ def precision_of(
         precision = precision.less(misfit * solved(factor, shared.T))
     if own.shape[1]:
         held = precision @ own
-        factor = _factor(own.T @ held, np.einsum("ij,ij->j", own, of_noise @ own))
+        factor = factor_less_misfit(own.T @ held, np.einsum("ij,ij->j", own, of_noise @ own))
         root += float(np.log(np.diag(factor)).sum())
         precision = precision.less(solved(factor, held.T))
     return precision, root
 
 
-def _factor(squares: FloatArray, whole: FloatArray) -> FloatArray:
-    """Cholesky factor of squares (k, k). whole: (k,), their diagonal before the misfit was taken away."""
+def factor_less_misfit(squares: FloatArray, whole: FloatArray) -> FloatArray:
+    """Cholesky factor of squares (k, k). whole: (k,), no less than their diagonal before the misfit was taken away."""
     try:
         return factor_of(squares)
     except LinAlgError:
