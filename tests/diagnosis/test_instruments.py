@@ -9,12 +9,13 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.extend import named_effects, start_values
-from trueaxis.diagnosis.instruments import Off, _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.instruments import WIDE, Off, _chance, _Unknown, instruments_off
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import parameter_signature
+from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
 
@@ -49,6 +50,26 @@ def places(*runs: str) -> np.ndarray:
 @pytest.mark.parametrize("seed", range(5))
 def test_usual_zeros_are_no_cause(seed: int) -> None:
     assert found(readings(seed)) == ()
+
+
+@pytest.mark.parametrize("size", [0.05, 0.5])
+def test_large_errors_of_the_machine_are_no_cause_of_an_instrument(
+    size: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A curve rougher and larger than [prior] has it; by the expected sizes alone a line is blamed for it."""
+    effect = Effect(kind="cyclic", component="EXX")
+    rough = signature_of(readings_of(given().model, given().rows), effect, ({"pitch": 16.7},)).over_all()[:, 0]
+    assert found(readings(3) + size * rough) == ()
+    monkeypatch.setattr("trueaxis.diagnosis.instruments.WIDER", (WIDE,))
+    assert found(readings(3) + size * rough) != ()
+
+
+def test_a_faulty_instrument_on_a_machine_of_large_errors_is_named() -> None:
+    base = base_of(given().model, given().rows)
+    weights = 12.0 * base.expected[: base.of_machine] * np.random.default_rng(5).standard_normal(base.of_machine)
+    values = readings(5) + base.machine.dense() @ weights
+    values[places("Y2-1")] += 0.3
+    assert Effect(kind="reading_zero", runs=("Y2-1",)) in [one.effect for one in found(values)]
 
 
 @pytest.mark.parametrize("size", [0.08, -0.08])

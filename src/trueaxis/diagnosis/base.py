@@ -131,6 +131,11 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in layout.shared]
     counts = [basis.degree for basis in layout.bases]
     weights = [np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0]) for basis in layout.bases]
+    # a curve that readings show to be rough has not the shape that [prior] expects, and may be as large at every degree
+    weights = [
+        np.full_like(one, one.max()) if name in rough else one
+        for name, one in zip(layout.components, weights, strict=True)
+    ]
     others = np.ones(int((~chance).sum()) - sum(counts))
     return Base(
         columns=everything.take(~chance),

@@ -40,6 +40,7 @@ WHOLE = {  # an unknown of a run that holds what runs share besides -> the class
     "probe zero": "probe origin",
 }
 WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
+WIDER = (WIDE, 16.0, 64.0, 256.0)  # and by these where readings say so
 SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms of its factor
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ
 MOST = 4  # instruments that are named
@@ -94,16 +95,36 @@ class _OfRun:
 def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     """Those that are, most evident first, each beside those before. signal: (n,), mm, what causes in the machine do to
     the readings.
+
+    Where a machine whose errors are larger than [prior] has it is likelier than one whose instruments are off, it is
+    taken for one: of instruments that what is expected of the machine alone speaks against nothing is known.
     """
     columns = null.base.columns.beside(null.base.by_chance)
+    values = null.values - signal
     q, r, length = factored(null.whitening, columns)
-    deviation = np.ones(length.size)
-    deviation[: null.base.of_machine] = WIDE * null.base.expected[: null.base.of_machine]
-    root = np.linalg.pinv(np.vstack([r, np.diag(1.0 / deviation / length)]), rcond=RANK) / length[:, np.newaxis]
-    root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
-    left, found = null.values - signal, dict[tuple[str, object], Off]()
+    best, most = tuple[Off, ...](), -np.inf
+    for wide in WIDER:
+        deviation = np.ones(length.size)
+        deviation[: null.base.of_machine] = wide * null.base.expected[: null.base.of_machine]
+        root = np.linalg.pinv(np.vstack([r, np.diag(1.0 / deviation / length)]), rcond=RANK) / length[:, np.newaxis]
+        root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
+        found, left = _beside(null, columns, q, root, values)
+        likely = _log_likelihood(q, r * (deviation * length), null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
+        if likely > most:
+            best, most = found, likely
+        if not found:
+            break
+    return best
+
+
+def _beside(
+    null: Null, columns: ByRun, q: ByRun, root: FloatArray, values: FloatArray
+) -> tuple[tuple[Off, ...], FloatArray]:
+    """Instruments that are off by what is expected of the machine, and (n,), mm: what they leave of the values."""
+    left, found = values, dict[tuple[str, object], Off]()
     while len(found) < MOST:
-        coefficient = root[:, : r.shape[0]] @ q.transposed(null.whitening(left))
+        inside = q.transposed(null.whitening(left))
+        coefficient = root[:, : inside.size] @ inside
         every = [*_shared(null.base, columns, coefficient, root), *_own(null, left, columns, coefficient, root)]
         every = [one for one in every if (one.kind, one.of) not in found]
         chances = [_chance(one, [o for o in every if o.kind == one.kind and o.of != one.of]) for one in every]
@@ -116,7 +137,16 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
         off = _off(null, of_point, p_value)
         found[best.kind, best.of] = off
         left = left - off.signal
-    return tuple(found.values())
+    return tuple(found.values()), left
+
+
+def _log_likelihood(q: ByRun, sized: FloatArray, white: FloatArray) -> float:
+    """Of whitened readings (n,), but for a constant: noise, and columns q times `sized` (p, p), each of variance 1."""
+    inside = q.transposed(white)
+    factor = np.linalg.cholesky(np.eye(inside.size) + sized @ sized.T)
+    within = np.linalg.solve(factor, inside)
+    outside = float(white @ white - inside @ inside)
+    return -0.5 * (outside + float(within @ within)) - float(np.log(np.diag(factor)).sum())
 
 
 def _chance(one: _Unknown, others: Sequence[_Unknown]) -> float:
