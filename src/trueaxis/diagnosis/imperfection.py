@@ -91,7 +91,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         if mine.any() and not mine.all():
             yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
-        counted = next(iter(used & set(SINCE_REVERSAL)), "d")
+        counted = next((one for one in SINCE_REVERSAL if one in used), "d")
         since = readings.context.since(counted)[rows.axes.index(cause.effect.own_axis)]
         since = np.where(np.isnan(since), np.inf, since)  # of readings that the effect does not reach
         for way in TAKEN_UP[counted]:

@@ -15,10 +15,9 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.scan import LN10
 from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 from trueaxis.model.model import MachineModel
-
-LN10 = float(np.log(10.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +52,8 @@ class Roughness:
 
 def roughness_of(model: MachineModel, null: Null) -> Roughness:
     """Linear in the number of readings, times columns of all components."""
-    names = dict.fromkeys(name for name in null.base.bases if name not in null.base.rough)
-    base = base_of(model, null.rows, tuple(names))
+    names = [name for name in null.base.bases if name not in null.base.rough]
+    base = base_of(model, null.rows, names)
     of_component = np.array(base.components)
     higher = {name: np.flatnonzero(of_component == name)[DEGREE:] for name in names}
     return Roughness({name: base.machine.take(mine).whitened(null.whitening) for name, mine in higher.items()})
