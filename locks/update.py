@@ -12,8 +12,9 @@ from pathlib import Path
 HERE = Path(__file__).parent
 GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint", "docs"]}
 EXTRAS: dict[str, list[str]] = {"run.txt": [], "dev.txt": ["cluster", "completion"]}  # what tests need beside
-# The lock names no index: whoever installs from it brings their own.
-OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
+# The lock names no index: whoever installs from it brings their own. Extras are pinned, too: pip before 23.3 takes the
+# newest release of "coverage[toml]" where the lock has "coverage" alone, and then refuses it for want of a hash.
+OPTIONS = "--generate-hashes --no-header --no-annotate --no-strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"
 
 
