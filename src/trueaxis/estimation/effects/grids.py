@@ -8,6 +8,7 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.placement import FARTHEST
+from trueaxis.estimation.outliers import NEIGHBOURS
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.context import Context
@@ -41,9 +42,9 @@ class Fineness:
 
 # Of an effect that the spec names: it is there, and the next frequency is still within a tenth of the power.
 OF_FIT = Fineness(periods=150, per_period=3, moments=400, lasting=2)
-# Of every cause that there may be: what lies between is looked at where the evidence is best. What lasts for a few
-# readings at either end of a run is no jump.
-OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=5)
+# Of every cause that there may be: what lies between is looked at where the evidence is best. One or two readings at
+# either end of a run are outliers, three are none.
+OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=NEIGHBOURS + 1)
 # Of periods that one that was found may be an alias of.
 OF_RIVALS = replace(OF_DIAGNOSIS, per_period=4, pitch=SHORTEST_MM)
 
