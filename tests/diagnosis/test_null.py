@@ -10,6 +10,7 @@ from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null import Null, explained, fitted, less_own, null_of, undecided
+from trueaxis.diagnosis.result import IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import SETTLED
 
@@ -87,13 +88,30 @@ def test_where_it_is_open_which_of_a_target_s_readings_are_spoilt_all_are_left_o
     rows = given()[1].only(np.arange(given()[1].size) < 9)
     good = np.ones(9, dtype=bool)
     good[4] = good[5] = False
-    poses = replace(rows, target=np.repeat([0, 1, 2], 3))
+    poses = at_targets(rows, np.repeat([0, 1, 2], 3))
     assert np.flatnonzero(undecided(poses, good)).tolist() == [3, 4, 5]
-    assert not undecided(replace(rows, target=np.tile([0, 1, 2], 3)), good).any()
-    again = replace(rows, target=np.array([0, 0, 0, 1, 1, 1, 0, 1, 2]))
+    passes = at_targets(rows, np.tile([0, 1, 2], 3))
+    assert not undecided(passes, good).any()
+    again = at_targets(rows, np.array([0, 0, 0, 1, 1, 1, 0, 1, 2]))
     assert not undecided(again, good).any()
     middle = np.arange(9) != 4
     assert not undecided(poses, middle).any()
+
+
+def test_of_two_readings_of_a_place_none_is_left_out_alone() -> None:
+    """The end of a line, read once on each way: nothing tells which of the two was spoilt, whatever the directions."""
+    rows = given()[1].only(np.arange(given()[1].size) < 9)
+    there = np.array([0, 1, 2, 3, 4, 3, 2, 1, 0])
+    both = replace(at_targets(rows, there), target=np.arange(9))
+    assert np.flatnonzero(undecided(both, np.arange(9) != 0)).tolist() == [0, 8]
+    assert np.flatnonzero(undecided(both, np.arange(9) != 4)).tolist() == []
+
+
+def at_targets(rows: Rows, target: IntArray) -> Rows:
+    """Readings of targets 10 mm apart, of one set-up."""
+    positions = np.zeros_like(rows.positions)
+    positions[0] = 10.0 * target
+    return replace(rows, target=target, positions=positions, setup=np.zeros_like(rows.setup))
 
 
 @pytest.mark.parametrize("kind", ["jump", "drift", "misfit", "offset"])

@@ -8,9 +8,10 @@ import pytest
 
 from tests.generator.dmu60p import dmu60p
 from tests.measurement.adapter import GeneratorModel
+from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.context import context_of, path_velocity
 from trueaxis.measurement.reading_effects import polar_angle, reading_context_of
-from trueaxis.measurement.readings import Readings, approach_directions
+from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.reversals import (
     distance_since,
     duration_by_feed,
@@ -55,11 +56,10 @@ def readings(runs: tuple[Run, ...], paths: list[Any], **columns: Any) -> Reading
     run = np.repeat(np.arange(len(paths)), [len(path[0]) for path in paths])
     seq = np.concatenate([np.arange(len(path[0])) for path in paths])
     positions = np.concatenate([np.array(path, dtype=float) for path in paths], axis=1)
-    starts = [None if one.instrument == "ballbar" else np.array([one.home[axis] for axis in AXES]) for one in runs]
     directions = np.concatenate(
         [
-            approach_directions(np.arange(len(path[0])), np.array(path, dtype=float), start)
-            for path, start in zip(paths, starts, strict=True)
+            approach_directions(one, AXES, np.arange(len(path[0])), np.array(path, dtype=float))
+            for path, one in zip(paths, runs, strict=True)
         ],
         axis=1,
     )

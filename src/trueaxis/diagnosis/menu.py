@@ -12,8 +12,7 @@ from trueaxis.diagnosis.at_hand import Line, Round, both_ways, is_along, lines_a
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.machine.machine import LINEAR
-from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import approach_directions
+from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.setup import Run
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates
@@ -151,9 +150,7 @@ def _anew(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterator[
 
 def _of_candidate(model: MachineModel, one: Candidate, feed: float) -> FurtherRun:
     size = one.positions.shape[1]
-    home = home_positions(one.run, model.axes)
-    start = None if home is None or one.run.length is not None else home[:, 0]
-    directions = approach_directions(np.arange(size), one.positions, start).astype(np.float64)
+    directions = approach_directions(one.run, model.axes, np.arange(size), one.positions).astype(np.float64)
     if one.run.length is not None:
         return _of_round(
             Round(plane="", sense=1, feed=feed, run=one.run, positions=one.positions, directions=directions),

@@ -12,7 +12,7 @@ from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.noise_fit import UNEVEN, Found
 from trueaxis.diagnosis.projection import Projection, orthonormal, spanned
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
-from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.rows import DECIMALS, Rows
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.outliers import (
@@ -91,18 +91,25 @@ def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float
 
 
 def undecided(rows: Rows, good: BoolArray) -> BoolArray:
-    """(n,): readings of a target, in a row, of which some are spoilt: the others may be the spoilt ones as well, where
-    they are no more than two and the target was read at no other time. good: (n,), those that seem to be.
+    """(n,): readings of a place of which some are spoilt: the others may be the spoilt ones as well, where they are no
+    more than these; or no more than two in a row with them, which one disturbance may have spoilt. good: (n,), those
+    that seem to be.
     """
-    change = (np.diff(rows.target, prepend=-1) != 0) | (np.diff(rows.run, prepend=-1) != 0)
-    number, found = np.cumsum(change), np.zeros(rows.size, dtype=bool)
-    for one in np.unique(number[~good]):
-        mine = np.flatnonzero(number == one)
+    found = np.zeros(rows.size, dtype=bool)
+    place = places_of(rows)
+    for one in np.unique(place[~good]):
+        mine = np.flatnonzero(place == one)
         kept = mine[good[mine]]
-        alone = bool((rows.target[mine[0]] == rows.target).sum() == mine.size)
-        if alone and 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size:
-            found[mine] = True
+        together = mine.size == np.ptp(mine) + 1 and np.unique(rows.target[mine]).size == 1
+        few = 2 * kept.size <= mine.size or (together and kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size)
+        found[mine] |= kept.size > 0 and few
     return found
+
+
+def places_of(rows: Rows) -> IntArray:
+    """(n,): the same number for readings at the same positions with the same set-up, from whichever side."""
+    at = np.vstack([rows.setup, np.round(rows.positions, DECIMALS) + 0.0])
+    return np.asarray(np.unique(at, axis=1, return_inverse=True)[1]).reshape(-1)
 
 
 def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dict[int, Outlier]]:

@@ -11,6 +11,7 @@ from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
+from trueaxis.diagnosis.hidden_by_noise import in_noise_of_a_run, likeliest
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
 from trueaxis.diagnosis.null import Null, again, null_of, rougher, what_is_free
@@ -20,7 +21,7 @@ from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnosis.rivals import with_best_periods
 from trueaxis.diagnosis.roughness import roughness_of
 from trueaxis.diagnosis.rows import Rows, rows_of, smoothed
-from trueaxis.diagnosis.search import Each, Found, Ground, Search, likeliest, search
+from trueaxis.diagnosis.search import MOST_CAUSES, Each, Found, Ground, Search, search
 from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.write_up import Outcome, diagnosis_of
@@ -123,7 +124,7 @@ def _beside_causes(
 ) -> tuple[Null, Ground, Search, tuple[Fitted, ...]]:
     """The search, and again with the noise that is left beside what was found; where nothing was, beside the likeliest.
 
-    Without repeats the noise takes up what nobody has named yet, and hides it.
+    Without repeats the noise takes up what nobody has named yet, and hides it; that of a run, what acts on it alone.
     """
     null, ground, found, causes = _searched(readings, free, null, options, standing)
     start = (found.causes,) if causes else tuple((one,) for one in likeliest(ground, found))
@@ -135,7 +136,16 @@ def _beside_causes(
             continue  # the noise is no reason why nothing was found
         anew = _searched(readings, free, fresh if changed else null, options, (*standing, *known), tried)
         if causes or anew[3]:
-            return anew
+            null, ground, found, causes = anew
+            break
+    while len(causes) < MOST_CAUSES and (further := in_noise_of_a_run(ground, found)):
+        tried = (*found.causes, further)
+        known = refit(ground, tried)
+        fresh = again(null, np.sum([one.signal for one in known], axis=0), options.noise_um)
+        anew = _searched(readings, free, fresh, options, (*standing, *known), tried)
+        if further.scan.effect not in [one.effect for one in anew[3]]:
+            break
+        null, ground, found, causes = anew
     return null, ground, found, causes
 
 

@@ -24,7 +24,6 @@ from trueaxis.estimation.effects.grids import ZOOMS, Point, finer
 FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 MOST_CAUSES = 4
-LIKELIEST = 3  # candidates below the threshold, beside which the noise is estimated anew
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 
@@ -65,13 +64,15 @@ class Found:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Search:
-    """causes, in order of what they explain; first: every candidate's scan before any cause was taken; projection:
-    base and causes; residual: (n,), whitened, what they leave; threshold: of the evidence; rough: a component whose
-    rougher curve explains more than another cause would: the search is of use again once the base has it.
+    """causes, in order of what they explain; first: every candidate's scan before any cause was taken; last: that of
+    the others beside the causes; projection: base and causes; residual: (n,), whitened, what they leave; threshold: of
+    the evidence; rough: a component whose rougher curve explains more than another cause would: the search is of use
+    again once the base has it.
     """
 
     causes: tuple[Found, ...]
     first: tuple[Scanned, ...]
+    last: tuple[Scanned, ...] = ()
     projection: Projection
     residual: FloatArray
     threshold: float
@@ -125,6 +126,7 @@ class Ground:
 def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     """Forward, with all causes looked at anew given the others, until no candidate reaches the threshold."""
     first: tuple[Scanned, ...] = ()
+    scans: tuple[Scanned, ...] = ()
     causes = list(start)
     if causes:
         first = scan_all(ground, ground.left(ground.base), ground.effects)
@@ -143,7 +145,7 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     for index, one in enumerate(causes):
         if rough := _rougher(ground, causes[:index] + causes[index + 1 :], one, ground.threshold):
             return replace(search_of(ground, causes, first), rough=rough)
-    return search_of(ground, causes, first)
+    return replace(search_of(ground, causes, first), last=scans)
 
 
 def _told(ground: Ground, effect: Effect, causes: Sequence[Found]) -> bool:
@@ -179,13 +181,6 @@ def search_of(ground: Ground, causes: Sequence[Found], first: tuple[Scanned, ...
         residual=projection.rest(ground.values),
         threshold=ground.threshold,
     )
-
-
-def likeliest(ground: Ground, found: Search) -> list[Found]:
-    """The few candidates with the best evidence, none of which reached the threshold: the noise may hold them."""
-    scans = sorted(found.first, key=lambda one: -one.evidence)[:LIKELIEST]
-    residual = ground.left(ground.base)
-    return [zoomed(ground, residual, one) for one in scans if one.evidence > 0.0]
 
 
 def without(ground: Ground, found: Search, index: int) -> Search:

@@ -9,10 +9,10 @@ import numpy as np
 from trueaxis.instrument_files.data_run import DataRun
 from trueaxis.instrument_files.user_keys import RunKeys
 from trueaxis.io.plain_text import shown
+from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
 from trueaxis.measurement.limits import LONGEST_ID
-from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings, approach_directions, dump_readings
+from trueaxis.measurement.readings import Readings, dump_readings
 from trueaxis.measurement.setup import run_table, toml_text
 
 HEAD = "# Made by `trueaxis import`. What is marked `assumed` does not stand in the instrument files.\n"
@@ -92,8 +92,7 @@ def readings_bytes(runs: Sequence[DataRun], axes: tuple[str, ...]) -> bytes:
 
 
 def _directions(item: DataRun, seq: "np.ndarray", axes: Sequence[str]) -> "np.ndarray":
-    home = home_positions(item.run, axes)
-    found = approach_directions(seq, item.positions, None if home is None else home[:, 0])
+    found = approach_directions(item.run, axes, seq, item.positions)
     return found if item.directions is None else np.where(item.directions != 0, item.directions, found)
 
 

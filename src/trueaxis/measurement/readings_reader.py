@@ -8,6 +8,7 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.io.faults import Faults
+from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.columns import (
     approaches,
     check_columns,
@@ -21,8 +22,7 @@ from trueaxis.measurement.columns import (
 )
 from trueaxis.measurement.instrument_kinds import ARM, AT_REST
 from trueaxis.measurement.machine import MachineAxes
-from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import DirectionArray, Readings, angle_rows, approach_directions
+from trueaxis.measurement.readings import DirectionArray, Readings, angle_rows
 from trueaxis.measurement.setup import Run
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
 
@@ -155,7 +155,5 @@ def _derived_directions(
     ends = np.searchsorted(run[by_run], np.arange(len(runs) + 1))
     for one, start_row, end_row in zip(runs, ends, ends[1:], strict=False):
         rows = by_run[start_row:end_row]
-        home = home_positions(one, axes)
-        start = None if home is None else home[:, 0]
-        found[:, rows] = approach_directions(seq[rows], commanded[:, rows], start)
+        found[:, rows] = approach_directions(one, axes, seq[rows], commanded[:, rows])
     return found

@@ -78,12 +78,13 @@ def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: Floa
         velocity = np.diff(path[axis]) / np.diff(way)
         bent = np.diff(velocity) / np.diff(middle)
         for turn in np.unique(row[axis, row[axis] < count - 2]).tolist():
-            before_all = turn < 0
             after = max(turn, 0) + 1
             # the chord to the reading before the change still had the old direction where the axis turned after it
-            one = after - 1 if before_all or velocity[after - 1] * directions[axis, after] <= 0.0 else after - 2
-            turned = velocity[one] * bent[one] > 0.0 if before_all else velocity[one] * velocity[one + 1] < 0.0
-            if one < 0 or not turned:
+            late = turn >= 0 and velocity[after - 1] * directions[axis, after] <= 0.0
+            at_once = turn <= 0 and not late  # before the middle of the first step
+            one = after - 1 if late or at_once else after - 2
+            turned = velocity[one] * bent[one] > 0.0 if at_once else velocity[one] * velocity[one + 1] < 0.0
+            if not turned:
                 continue
             at = min(middle[one] - velocity[one] / bent[one], way[after])
             mine = (row[axis] == turn) & (way > at)

@@ -15,10 +15,10 @@ import numpy as np
 from trueaxis.estimation.observations import DECIMALS, Observations
 from trueaxis.estimation.set_up import ball_of
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings, approach_directions
+from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import Run, run_table, toml_text
 from trueaxis.planning.candidates import Candidate
 
@@ -107,8 +107,7 @@ def _with_rows(given: Readings, added: Sequence[Candidate]) -> Readings:
     seq = [np.arange(count) for count in counts]
     index = np.repeat(np.arange(len(added)) + len(given.run_ids), counts)
     directions = [
-        approach_directions(number, one.positions, _start(one.run, given.axes))
-        for number, one in zip(seq, added, strict=True)
+        approach_directions(one.run, given.axes, number, one.positions) for number, one in zip(seq, added, strict=True)
     ]
     empty = np.full(sum(counts), np.nan)
 
@@ -128,11 +127,6 @@ def _with_rows(given: Readings, added: Sequence[Candidate]) -> Readings:
         feed=longer(given.feed),
         temperature=longer(given.temperature),
     )
-
-
-def _start(run: Run, axes: Sequence[str]) -> FloatArray | None:
-    home = home_positions(run, axes)
-    return None if home is None else home[:, 0]
 
 
 def setup_text(given: str, added: Sequence[Candidate], file: str) -> str:
