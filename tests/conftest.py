@@ -10,6 +10,7 @@ import pytest
 from tests.command_lines import prepare
 from tests.kept import derived
 from tests.machines import ROOT
+from trueaxis.diagnosis.result import Diagnosis
 
 # Files that take more than 20 s, the longest first: one that begins last keeps all other workers waiting.
 LONG = (
@@ -104,3 +105,20 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("commands") / "inputs"
     prepare(folder)
     return folder
+
+
+@pytest.fixture
+def without_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For what looks at no page and no kernels of a diagnosis: drawing and deriving may take longer than it does."""
+    from trueaxis.reporting.diagnosis.picture import Pictures
+
+    def none(found: Diagnosis) -> Pictures:
+        sections = ("gain", "residuals", "circles", "periods", "structure", "evidence", "limits")
+        return Pictures(causes=((),) * len(found.causes), sections=dict.fromkeys(sections, ()))
+
+    def neither(found: Diagnosis, _: object) -> tuple[Pictures, dict[str, bytes]]:
+        return none(found), {}
+
+    monkeypatch.setattr("trueaxis.jobs.beside.cores", lambda: 1)
+    monkeypatch.setattr("trueaxis.jobs.drawn_and_derived.drawn_and_derived", neither)
+    monkeypatch.setattr("trueaxis.reporting.diagnosis.pictures.pictures_of", none)

@@ -32,7 +32,6 @@ from trueaxis.io.told import Told
 from trueaxis.jobs.extending import Extending, Given
 from trueaxis.measurement.setup import Run, run_table
 from trueaxis.model.manifest import KERNEL_FILES
-from trueaxis.reporting.diagnosis.picture import Pictures
 
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 KERNELS = ROOT / "generated"
@@ -66,22 +65,6 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def short_plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of five targets: runs that were read wrongly are as plain in half of the readings."""
     return lines_of(5, tmp_path_factory.mktemp("short"))
-
-
-@pytest.fixture
-def without_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    """For what looks at no page and no kernels: drawing and deriving take longer than a diagnosis does."""
-
-    def none(found: Diagnosis) -> Pictures:
-        sections = ("gain", "residuals", "circles", "periods", "structure", "evidence", "limits")
-        return Pictures(causes=((),) * len(found.causes), sections=dict.fromkeys(sections, ()))
-
-    def neither(found: Diagnosis, _: Extended | None) -> tuple[Pictures, dict[str, bytes]]:
-        return none(found), {}
-
-    monkeypatch.setattr("trueaxis.jobs.beside.cores", lambda: 1)
-    monkeypatch.setattr("trueaxis.jobs.drawn_and_derived.drawn_and_derived", neither)
-    monkeypatch.setattr("trueaxis.reporting.diagnosis.pictures.pictures_of", none)
 
 
 def lines_of(targets: int, folder: Path) -> Path:
