@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -18,12 +19,14 @@ import psutil
 import pytest
 
 from tests.command_lines import COMMANDS, command_line, leftovers, prepare, run
+from tests.loaded import Loaded
 from tests.machines import ROOT
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 AT_WORK = 1.3  # s of a processor, by which a command has loaded its libraries, however busy the machine is
+FRESH = 3  # every so manieth command that is stopped loads its libraries first, as users' do
 OF_PYTHON = 0.15  # s: before that a process may not have come to our code, and Python itself answers to a signal
 
 
@@ -34,27 +37,56 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 class Trial:
-    """A command in a folder of inputs, and what it writes when it is let alone."""
+    """A command in a folder of inputs, and what it writes when it is let alone.
 
-    def __init__(self, inputs: Path, name: str, scratch: Path) -> None:
-        self.inputs, self.name, self.out = inputs, name, scratch / name
-        self.words = COMMANDS[name].format(out=self.out)
-        self.environment = {"TRUEAXIS_CACHE": str(scratch / f"cache-{name}")}
+    seconds: it takes as a user starts it, when its kernels are compiled, too; loaded_seconds: where its libraries are
+    loaded and its kernels compiled.
+    """
+
+    def __init__(self, inputs: Path, name: str, scratch: Path, loaded: Loaded) -> None:
+        self.inputs, self.name, self.out, self.loaded = inputs, name, scratch / name, loaded
+        self.words, self.told = COMMANDS[name].format(out=self.out), scratch / f"told-{name}"
+        compiler = scratch / f"cc-{name}"
+        compiler.write_text('#!/bin/sh\nexec cc "$@" -O0\n')  # kernels that are soon compiled
+        compiler.chmod(0o755)
+        self.environment = {"TRUEAXIS_CACHE": str(scratch / f"cache-{name}"), "CC": str(compiler)}
         started = time.monotonic()
         done = run(inputs, self.words, env=self.environment)
         self.seconds = time.monotonic() - started
         assert done.returncode in (0, 1), done.stderr
         self.code, self.whole = done.returncode, contents(self.out)
+        started = time.monotonic()
+        assert self._run() == (self.code, ""), self.told.read_text()
+        self.loaded_seconds = time.monotonic() - started
+        assert contents(self.out) == self.whole
         # what a run meets: files of an earlier one
         self.old = {name: b"old " + content[:20] for name, content in self.whole.items()}
 
-    def stopped(self, number: signal.Signals, after: float, cold: bool) -> list[str]:
-        """Faults met when the command gets a signal after this time; cold: kernels are compiled anew."""
+    def _run(self) -> tuple[int, str]:
+        return self.loaded.start(self.inputs, self.words, self.told, self.environment).ended()
+
+    def stopped(self, number: signal.Signals, share: float, cold: bool, fresh: bool) -> list[str]:
+        """Faults met when the command gets a signal after this share of its time; cold: kernels are compiled anew;
+        fresh: it has to load its libraries.
+        """
+        after = share * (self.seconds if fresh or cold else self.loaded_seconds)
         for name, content in self.old.items():
             (self.out / name).write_bytes(content)
         if cold:
             for library in Path(self.environment["TRUEAXIS_CACHE"]).rglob("*.so"):
                 library.unlink()
+        code, error = self._ended(number, after) if fresh else self._loaded_ended(number, after)
+        faults = self._faults_of_files()
+        if number != signal.SIGKILL:
+            if code not in (128 + number, -number, self.code):
+                faults.append(f"exit code {code}")
+            if after > OF_PYTHON and ("Traceback" in error or "Exception ignored" in error):
+                faults.append(f"traceback: {error[-300:]}")
+            if code != -number and (left := leftovers(self.out)):
+                faults.append(f"left behind: {left}")
+        return [f"{number.name} after {after:.3f} s, fresh {fresh}: {fault}" for fault in faults]
+
+    def _ended(self, number: signal.Signals, after: float) -> tuple[int, str]:
         process = subprocess.Popen(
             command_line(self.words), cwd=self.inputs, env=os.environ | self.environment,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
@@ -62,15 +94,13 @@ class Trial:
         time.sleep(after)
         process.send_signal(number)
         _, error = process.communicate(timeout=120)
-        faults = self._faults_of_files()
-        if number != signal.SIGKILL:
-            if process.returncode not in (128 + number, -number, self.code):
-                faults.append(f"exit code {process.returncode}")
-            if after > OF_PYTHON and ("Traceback" in error or "Exception ignored" in error):
-                faults.append(f"traceback: {error[-300:]}")
-            if process.returncode != -number and (left := leftovers(self.out)):
-                faults.append(f"left behind: {left}")
-        return faults
+        return process.returncode, error
+
+    def _loaded_ended(self, number: signal.Signals, after: float) -> tuple[int, str]:
+        process = self.loaded.start(self.inputs, self.words, self.told, self.environment)
+        time.sleep(after)
+        process.send_signal(number)
+        return process.ended()
 
     def _faults_of_files(self) -> list[str]:
         found = contents(self.out)
@@ -83,8 +113,8 @@ class Trial:
 
     def cleared(self) -> list[str]:
         """Faults of the next run: it writes everything, and nothing is left of those that were killed."""
-        done = run(self.inputs, self.words, env=self.environment)
-        faults = [] if done.returncode == self.code else [f"the next run: {done.stderr}"]
+        code, error = self._run()
+        faults = [] if code == self.code else [f"the next run: {error}"]
         if contents(self.out) != self.whole:
             faults.append("the next run wrote something else")
         cache = Path(self.environment["TRUEAXIS_CACHE"])
@@ -92,7 +122,7 @@ class Trial:
         if cache.exists():
             for library in cache.rglob("*.so"):  # compile once more: that is when a cache is swept
                 library.unlink()
-            run(self.inputs, self.words, env=self.environment)
+            self._run()
             faults += [f"left in the cache: {name}" for name in leftovers(cache)]
         return faults
 
@@ -102,18 +132,25 @@ def campaign(trial: Trial, count: int, seed: int) -> tuple[Counter[str], list[st
     draw = random.Random(f"{trial.name} {seed}")
     tally: Counter[str] = Counter()
     faults: list[str] = []
-    for _ in range(count):
-        number, after = draw.choice(SIGNALS), draw.uniform(0.0, 1.1 * trial.seconds)
-        found = trial.stopped(number, after, cold=draw.random() < 0.3)
+    for turn in range(count):
+        number, share = draw.choice(SIGNALS), draw.uniform(0.0, 1.1)
+        found = trial.stopped(number, share, cold=draw.random() < 0.3, fresh=turn % FRESH == 0)
         tally[number.name] += 1
-        faults += [f"{trial.name}, {number.name} after {after:.3f} s: {fault}" for fault in found]
+        faults += [f"{trial.name}, {fault}" for fault in found]
     return tally, faults + [f"{trial.name}: {fault}" for fault in trial.cleared()]
+
+
+@pytest.fixture(scope="module")
+def loaded() -> Iterator[Loaded]:
+    process = Loaded()
+    yield process
+    process.close()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name != "init"])  # which refuses files of an earlier run
-def test_every_command_may_be_stopped_at_any_moment(prepared: Path, tmp_path: Path, name: str) -> None:
-    _, faults = campaign(Trial(prepared, name, tmp_path), 6, seed=2)
+def test_every_command_may_be_stopped_at_any_moment(prepared: Path, tmp_path: Path, loaded: Loaded, name: str) -> None:
+    _, faults = campaign(Trial(prepared, name, tmp_path, loaded), 6, seed=2)
     assert faults == []
 
 
@@ -195,10 +232,13 @@ if __name__ == "__main__":
         prepare(Path(place) / "inputs")
         total: Counter[str] = Counter()
         met: list[str] = []
+        once = Loaded()
         for command in COMMANDS:
-            tally, faults = campaign(Trial(Path(place) / "inputs", command, Path(place)), int(sys.argv[1]), seed=3)
+            trial = Trial(Path(place) / "inputs", command, Path(place), once)
+            tally, faults = campaign(trial, int(sys.argv[1]), seed=3)
             total += tally
             met += faults
+        once.close()
         print(f"{sum(total.values())} runs of {len(COMMANDS)} commands stopped: {dict(sorted(total.items()))}")
         print(f"{len(met)} faults", *met, sep="\n")
 

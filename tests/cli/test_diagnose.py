@@ -11,11 +11,13 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from tests.command_lines import SMALL, SMALL_RUN
 from tests.diagnosis.prepared import prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from tests.identification.data import TRAVEL, paper_runs
+from tests.kept import derived
 from tests.kernels import emitted
 from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
@@ -30,7 +32,6 @@ from trueaxis.io.told import Told
 from trueaxis.jobs.extending import Extending, Given
 from trueaxis.measurement.setup import Run, run_table
 from trueaxis.model.manifest import KERNEL_FILES
-from trueaxis.reporting.diagnosis.picture import Pictures
 
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 KERNELS = ROOT / "generated"
@@ -64,19 +65,6 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def short_plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of five targets: runs that were read wrongly are as plain in half of the readings."""
     return lines_of(5, tmp_path_factory.mktemp("short"))
-
-
-@pytest.fixture
-def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """For what looks at no page: no second process, which imports and draws for longer than a diagnosis takes."""
-
-    def none(found: Diagnosis) -> Pictures:
-        sections = ("gain", "residuals", "circles", "periods", "structure", "evidence", "limits")
-        return Pictures(causes=((),) * len(found.causes), sections=dict.fromkeys(sections, ()))
-
-    monkeypatch.setattr("trueaxis.jobs.beside.cores", lambda: 1)
-    monkeypatch.setattr("trueaxis.jobs.drawn_and_derived.pictures_of", none)
-    monkeypatch.setattr("trueaxis.reporting.diagnosis.pictures.pictures_of", none)
 
 
 def lines_of(targets: int, folder: Path) -> Path:
@@ -283,7 +271,7 @@ def swapped_runs(runs: list[str], values: FloatArray) -> FloatArray:
     return found
 
 
-@pytest.mark.usefixtures("without_pictures")
+@pytest.mark.usefixtures("without_second_process")
 @pytest.mark.parametrize(("changes", "named"), [(reversed_run, {"Y-5"}), (swapped_runs, {"X-1", "Z-7"})])
 def test_runs_that_no_machine_fits_are_named_and_no_cause_beside_them(
     short_plan: Path,
@@ -343,15 +331,28 @@ class TestRun:
         assert (out / runs).resolve() == ROOT / "machines" / "dmu60p_runs"
         assert tomllib.loads(text)["effect"] == [{"kind": "backlash", "component": "EXX"}]
 
-    @pytest.mark.usefixtures("without_pictures")
-    def test_without_error_values_all_are_zero(self, short_plan: Path, tmp_path: Path) -> None:
-        data = measured(short_plan, tmp_path / "data", backlash, seed=11)
-        (tmp_path / "zero.json").write_text('{"schema": 1, "machine": "dmu60p"}')
-        given = [("none", None), ("zero", tmp_path / "zero.json")]
-        codes = {diagnose(tmp_path / name, data, errors=errors) for name, errors in given}
-        assert codes == {0}
-        none, zero = ((tmp_path / name / "diagnosis.json").read_bytes() for name, _ in given)
-        assert none == zero
+    @pytest.mark.usefixtures("without_second_process")
+    def test_without_error_values_all_are_zero(self, tmp_path: Path) -> None:
+        """A machine of one axis will do, which is soon diagnosed; with other values the diagnosis is another."""
+        spec, data = tmp_path / "small.toml", tmp_path / "data"
+        spec.write_text(SMALL)
+        data.mkdir()
+        (data / "setup.toml").write_text(SMALL_RUN)
+        noise, way = np.random.default_rng(11).normal(0.0, SIGMA, 132), np.tile(np.repeat([1, -1], 22), 3)
+        x = np.tile(np.r_[0:22, 21:-1:-1] * 30.0 - 280.0, 3)
+        read = 1e-7 * x**2 + 0.5 * WIDTH * way + noise
+        rows = [f"X-1,{n},{at:.4f},{to},{of:.6f}" for n, (at, to, of) in enumerate(zip(x, way, read, strict=True))]
+        (data / "readings.csv").write_text("\n".join(["run,seq,X,dir_X,reading", *rows]) + "\n")
+        (tmp_path / "zero.json").write_text('{"schema": 1, "machine": "small"}')
+        curve = {"basis": "polynomial", "powers": [2], "coefficients": [1e-7]}
+        other = {"schema": 1, "machine": "small", "motion_errors": {"EXX": curve}}
+        (tmp_path / "other.json").write_text(json.dumps(other))
+        kernels = ("--kernels", str(derived(spec)))
+        for name in ("none", "zero", "other"):
+            errors = None if name == "none" else tmp_path / f"{name}.json"
+            assert diagnose(tmp_path / name, data, *kernels, machine=spec, errors=errors) == 0
+        none, zero, of_other = ((tmp_path / name / "diagnosis.json").read_bytes() for name in ("none", "zero", "other"))
+        assert none == zero != of_other
 
     def test_its_kernels_are_what_it_derives_to(self, out: Path) -> None:
         words = ["derive", str(out / "dmu60p.toml"), "--out", str(out / "generated"), "--check"]
@@ -408,7 +409,7 @@ class TestRun:
         assert f"left from before, not part of this diagnosis: {out / 'errors.json'}" in shown.out
         assert shown.err == ""
 
-    @pytest.mark.usefixtures("without_pictures")
+    @pytest.mark.usefixtures("without_second_process")
     def test_structure_that_nothing_explains_is_1(self, tmp_path: Path) -> None:
         """At so many targets that no curve of an error can follow it."""
         (tmp_path / "plan").mkdir()

@@ -2,19 +2,18 @@
 
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
 from tests.compensation.analytic_machine import FloatArray
 from tests.exact_chain import DIGITS, ExactChain, placed
-from tests.kernels import emitted
-from tests.machines import serial_text
+from tests.kernels import kernels_of
+from tests.machines import machine_of, serial_text
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel, load_model
+from trueaxis.model.kernels import Kernels
+from trueaxis.model.model import MachineModel
 
 TEXTS = {
     "head-head": serial_text(
@@ -84,10 +83,10 @@ class FiveAxes:
 
 @cache
 def _empty(text: str) -> MachineModel:
-    with TemporaryDirectory() as name:
-        spec = Path(name) / "test.toml"
-        spec.write_text(text)
-        return load_model(spec, None, emitted(text), backend="numpy")
+    machine, module = machine_of(text), kernels_of(text)  # the NumPy kernels alone: C and equations take longer
+    routines = {name: getattr(module, name) for name in module.META["routines"]}
+    kernels = Kernels(meta=module.META, module=module, routines=routines, backend="numpy", note="")
+    return MachineModel(machine, kernels, ErrorValues(machine=machine.name))
 
 
 def constant(text: str, errors: Mapping[str, float]) -> MachineModel:

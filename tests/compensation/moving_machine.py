@@ -11,12 +11,16 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from tests.compensation.analytic_machine import FloatArray, XyzMachine
 from tests.compensation.control import strip
 
+IntArray = npt.NDArray[np.int64]
+
 SPACING = 0.05  # mm between samples
 FEWEST = 4  # samples of a block
+WORD = re.compile(r"([A-Z])\s*([-+]?[\d.]+)")
 
 
 @dataclass(frozen=True)
@@ -78,16 +82,13 @@ def playing(command: FloatArray, half: Callable[[float], float]) -> FloatArray:
 
 def lagging(command: FloatArray, time: FloatArray, constant: float) -> FloatArray:
     """First-order lag, solved exactly for a command that is straight between samples."""
-    out = np.zeros_like(command)
-    behind = 0.0
-    for index in range(1, command.size):
-        step = time[index] - time[index - 1]
+    found, behind = [0.0], 0.0
+    for way, step in zip(np.diff(command).tolist(), np.diff(time).tolist(), strict=True):  # lists: twice as fast
         if step > 0.0:
             kept = math.exp(-step / constant)
-            speed = (command[index] - command[index - 1]) / step
-            behind = behind * kept - constant * speed * (1.0 - kept)
-        out[index] = behind
-    return out
+            behind = behind * kept - constant * (way / step) * (1.0 - kept)
+        found.append(behind)
+    return np.array(found)
 
 
 def sticking(command: FloatArray, height: float, decay: float, passed: FloatArray) -> FloatArray:
@@ -95,39 +96,48 @@ def sticking(command: FloatArray, height: float, decay: float, passed: FloatArra
 
     passed: (n,), what it fades over, counted from anywhere.
     """
-    out = np.zeros_like(command)
+    found, before = [0.0], float(passed[0])
     way, direction, turn = math.inf, 0.0, -math.inf
-    for index in range(1, command.size):
-        step = float(command[index] - command[index - 1])
+    for step, now in zip(np.diff(command).tolist(), passed[1:].tolist(), strict=True):
         if step:
             turned = step * direction < 0.0
             direction = math.copysign(1.0, step)
             way = abs(step) if turned else way + abs(step)
-            turn = float(passed[index - 1]) if turned else turn
-        out[index] = -direction * min(way, height * math.exp(-(float(passed[index]) - turn) / decay))
-    return out
+            turn = before if turned else turn
+        found.append(-direction * min(way, height * math.exp(-(now - turn) / decay)))
+        before = now
+    return np.array(found)
 
 
 def executed(program: bytes) -> Samples:
     """Samples of a program of straight moves in absolute mm; rapids run at 10 m/min."""
     at, motion, feed, now = [0.0, 0.0, 0.0], 0, math.nan, 0.0
-    points, times = [list(at)], [0.0]
+    ends, counts, starts = [list(at)], [0], [0.0]  # of each move: end, samples, time at its start
+    durations = [0.0]
     for line in program.decode("latin-1").splitlines():
-        words = re.findall(r"([A-Z])\s*([-+]?[\d.]+)", strip(line))
+        words = WORD.findall(strip(line))
         for letter, value in words:
             if letter == "G" and float(value) in (0.0, 1.0):
                 motion = int(float(value))
             assert not (letter == "G" and float(value) in (2.0, 3.0, 91.0, 20.0)), line
             feed = float(value) if letter == "F" else feed
-        end = [float(dict(words).get(axis, before)) for axis, before in zip("XYZ", at, strict=True)]
+        named = dict(words)
+        end = [float(named.get(axis, before)) for axis, before in zip("XYZ", at, strict=True)]
         way = math.dist(at, end)
         if way == 0.0:
             continue
-        count = max(FEWEST, math.ceil(way / SPACING)) if motion else 1
         duration = way / ((feed if motion else 10_000.0) / 60.0)
-        for number in range(1, count + 1):
-            share = number / count
-            points.append([a + share * (b - a) for a, b in zip(at, end, strict=True)])
-            times.append(now + share * duration)
+        ends.append(end)
+        counts.append(max(FEWEST, math.ceil(way / SPACING)) if motion else 1)
+        starts.append(now)
+        durations.append(duration)
         at, now = end, now + duration
-    return Samples(np.array(points).T, np.array(times))
+    return _sampled(np.array(ends).T, np.array(counts), np.array(starts), np.array(durations))
+
+
+def _sampled(ends: FloatArray, counts: IntArray, starts: FloatArray, durations: FloatArray) -> Samples:
+    """The first end, then so many samples of each move at even distances, its end among them."""
+    move = np.repeat(np.arange(counts.size), counts)
+    share = (np.arange(move.size) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[move]
+    points = ends[:, move - 1] + share * (ends[:, move] - ends[:, move - 1])
+    return Samples(np.hstack([ends[:, :1], points]), np.concatenate([[0.0], starts[move] + share * durations[move]]))

@@ -137,6 +137,7 @@ def test_figures_in_the_text_are_those_of_the_example(example: tuple[Path, list[
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("without_second_process")
 @pytest.mark.parametrize(("options", "expected", "said"), CASES.findall(PAGE), ids=lambda text: text.strip("`")[:24])
 def test_other_data_get_the_verdict_of_the_table(
     example: tuple[Path, list[str]], tmp_path: Path, options: str, expected: str, said: str

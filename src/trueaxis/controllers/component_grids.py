@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import RegularGridInterpolator
 
 from trueaxis.controllers.axis_tables import approached, nodes
 from trueaxis.controllers.remaining import TakenOff, held_effects
@@ -76,6 +75,8 @@ def motion_errors(model: MachineModel, arguments: Sequence[str], positions: Floa
 
 def taken_by_components(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:
     """What a control takes off that has the components on their grids, interpolated on straight lines."""
+    from scipy.interpolate import RegularGridInterpolator  # noqa: PLC0415  half a second; few tables ask for it
+
     grids = [grid_of(model, axis, step) for axis in model.axes]
     known = []
     for grid in grids:

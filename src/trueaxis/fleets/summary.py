@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from scipy.stats import norm
+from scipy.special import ndtri  # scipy.stats has it, too, and takes a second to import
 
 from trueaxis.fleets.row import CauseFound, Row, ValueFound
 
@@ -63,7 +63,7 @@ def summary_of(rows: Sequence[Row]) -> Summary:
 
 def changed_from(count: int) -> float:
     """From how many standard uncertainties on a change is called one, where so many errors are compared."""
-    return max(CHANGED, float(norm.isf(0.5 / (NUMBERS_OF_A_CURVE * max(count, 1)))))
+    return max(CHANGED, -float(ndtri(0.5 / (NUMBERS_OF_A_CURVE * max(count, 1)))))
 
 
 def _shared(newest: Sequence[Row]) -> tuple[Shared, ...]:

@@ -4,8 +4,9 @@ import logging
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -107,8 +108,14 @@ def _module(path: Path, code: bytes, remedy: str) -> ModuleType:
     module = ModuleType(f"trueaxis_kernels_{path.parent.name}")
     module.__file__ = str(path)
     try:
-        exec(compile(code, str(path), "exec"), module.__dict__)
+        exec(_bytecode(code, str(path)), module.__dict__)
     except Exception as error:  # a file that was damaged may fail in any way
         problem = f"cannot be loaded: {type(error).__name__}: {error}"
         raise InputError([Fault(str(path), "", " ".join(problem.split()), remedy)]) from None
     return module
+
+
+@lru_cache(maxsize=8)
+def _bytecode(code: bytes, name: str) -> CodeType:
+    """Of so many machines, for who loads them again and again: a tenth of a second each."""
+    return compile(code, name, "exec")

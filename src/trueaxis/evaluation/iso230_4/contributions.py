@@ -10,7 +10,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from trueaxis.evaluation.iso230_4.circular_test import CircularTest, FloatArray
 
@@ -135,6 +134,8 @@ def _best_spikes(
     test: CircularTest, angle: FloatArray, sense: FloatArray, deviation: FloatArray, others: Sequence[FloatArray]
 ) -> list[_Term]:
     """Reversal spikes of both axes, decaying over the length of path that leaves least."""
+    from scipy.optimize import minimize_scalar  # noqa: PLC0415  half a second; only who evaluates a circle needs it
+
     space = _orthonormal(np.hstack(others))
     rest = deviation - space @ (space.T @ deviation)
 
@@ -167,6 +168,8 @@ def _spikes(test: CircularTest, angle: FloatArray, sense: FloatArray, length: fl
 
 def _cyclic(test: CircularTest, angle: FloatArray, deviation: FloatArray, others: Sequence[FloatArray]) -> list[_Term]:
     """A cyclic error of each axis where one period stands out of what is left; see CHANCE."""
+    from scipy.optimize import minimize_scalar  # noqa: PLC0415  as above
+
     found: list[_Term] = []
     step = test.radius * float(np.median(np.abs(np.concatenate([np.diff(arc.angle) for arc in test.arcs]))))
     shortest = max(PITCHES[0] * test.radius, READINGS_A_PERIOD * step)

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import linprog
 
 from trueaxis.evaluation.iso230_4.circular_test import Arc, CircularTest, FloatArray, circularity
 
@@ -78,6 +77,8 @@ def _zone(arc: Arc) -> float:
 
     Unknowns: centre x, y and the deviations of the outer and the inner circle.
     """
+    from scipy.optimize import linprog  # noqa: PLC0415  half a second; only who evaluates a circle needs it
+
     wave = np.column_stack([np.cos(arc.angle), np.sin(arc.angle)])
     one, none = np.ones((arc.angle.size, 1)), np.zeros((arc.angle.size, 1))
     above, below = np.hstack([-wave, -one, none]), np.hstack([wave, none, one])
