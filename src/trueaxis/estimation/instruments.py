@@ -12,6 +12,7 @@ Of several runs (shared):
   scale    of a laser: wavelength, air
   cosine   of one alignment of a laser: it reads short by half the square of its angle
   turn     of what a probe probes over a way: a plate or a straightedge is aligned by eye or by the machine itself
+  stylus   of a probe whose device's table states how well its length is known: the tip, along Z of the tool frame
 Every unknown belongs to a class, whose size is estimated about the one given here: where runs were set up anew, or a
 scale was calibrated, is then found out.
 """
@@ -29,6 +30,7 @@ from trueaxis.estimation.set_up import (
     carried,
     is_straightness,
     relative_motion,
+    tip_of,
 )
 from trueaxis.measurement.instrument_kinds import ANGLE, ARM, AT_REST
 from trueaxis.measurement.machine import FloatArray
@@ -43,6 +45,7 @@ from trueaxis.measurement.setup import Run
 # from it made the bar a standard of length, which the scale of the laser then had to follow (of ten worlds from 4001 on
 # one was 1.5 times as far off, and covered 78 % in place of 97 %; the others hardly changed).
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
+TOOL_AXIS = 2  # Z of the tool frame, along which a stylus is long: ISO 841 has it point from the tool to its holder
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 
 
@@ -89,6 +92,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
         UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
+        UnknownClass(name="stylus length", unit="mm", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated slope", unit="rad", size=1.0, factor=STATED_FACTOR),
     )
@@ -180,6 +184,8 @@ def shared_unknowns(
             sphere = ball_of(run)[1]
             if sphere.on not in (run.frame, "bed"):
                 keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
+            if run.device is not None and run.device.length_u is not None and tip_of(run) is not None:
+                keys.append(("stylus length", (run.session, run.device, tip_of(run)), 0))
         elif straightness[index]:
             keys = [("stated slope", index, 0)] if states_line(run) else []
         elif run.instrument in (ANGLE, AT_REST):
@@ -204,8 +210,11 @@ def states_line(run: Run) -> bool:
 
 def _shared_size(kind: str, run: Run) -> float:
     known = run.device
-    stated = known and {"length": known.length_u, "scale": known.scale_u, "slope": known.line_u}
-    size = stated.get(kind.removeprefix("stated ")) if stated and kind.startswith("stated ") else None
+    if known is None:
+        return CLASSES[kind].size
+    length, scale, slope = known.length_u, known.scale_u, known.line_u
+    stated = {"stated length": length, "stylus length": length, "stated scale": scale, "stated slope": slope}
+    size = stated.get(kind)
     return CLASSES[kind].size if size is None else size
 
 
@@ -224,11 +233,14 @@ def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, 
     if unknown.kind == "probe alignment":
         turned = np.cross(np.eye(3)[unknown.coordinate], relative_motion(machine, run, positions).T)
         return np.asarray(np.einsum("in,ni->n", direction, turned))
-    sign, ball = ball_of(run)
-    turned = carried(machine, run, ball, unknown.coordinate, positions)
+    sign, point = ball_of(run)
+    coordinate, tip = unknown.coordinate, tip_of(run)
+    if unknown.kind == "stylus length" and tip is not None:
+        point, coordinate = tip, TOOL_AXIS  # it has the other sign than the ball, and a longer one ends at a lower Z
+    turned = carried(machine, run, point, coordinate, positions)
     home = home_positions(run, machine.axes)
     if home is not None:
-        turned = turned - carried(machine, run, ball, unknown.coordinate, home)
+        turned = turned - carried(machine, run, point, coordinate, home)
     return np.asarray(sign * np.einsum("in,in->n", direction, turned))
 
 

@@ -35,6 +35,11 @@ def ball_of(run: Run) -> tuple[float, PointOn]:
     return (1.0, run.target) if run.target.on == "workpiece" else (-1.0, run.reference)
 
 
+def tip_of(run: Run) -> PointOn | None:
+    """The end of a run that the tool carries: of a probe its tip; None where it carries none."""
+    return next((end for end in (run.target, run.reference) if end.on == "tool"), None)
+
+
 def carried(machine: IdentifiedMachine, run: Run, ball: PointOn, coordinate: int, positions: FloatArray) -> FloatArray:
     """(3, n): a unit vector of the body that carries the ball as the measuring frame sees it."""
     frame, unit = measuring_frame(run), np.zeros((3, 1))

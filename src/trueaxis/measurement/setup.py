@@ -25,9 +25,9 @@ class Device:
     """One instrument, by its ID; what is known of it, None where nothing is said.
 
     resolution, noise: step of its display and standard deviation of a reading, mm, of an angle instrument mm at ARM;
-    length_u: standard uncertainty of the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's
-    scale; line_u: standard uncertainty of the direction of lines of straightness against the ideal axes of the machine,
-    rad.
+    length_u: standard uncertainty of the length of a ball bar, or of a probe along Z of the tool frame, mm; scale_u:
+    relative standard uncertainty of a laser's scale; line_u: standard uncertainty of the direction of lines of
+    straightness against the ideal axes of the machine, rad.
     """
 
     id: str

@@ -57,7 +57,7 @@ def _device() -> Schema:
             "noise_um": said(um, "standard deviation of a reading"),
             "resolution_urad": said(urad, "of angle instruments"),
             "noise_urad": said(urad, "of angle instruments"),
-            "length_u_um": said(um, "ball bar: standard uncertainty of its length"),
+            "length_u_um": said(um, "ball bar, probe: standard uncertainty of its length"),
             "scale_u_ppm": said(above_zero(LARGEST_PPM), "laser: standard uncertainty of its scale"),
             "line_u_urad": said(urad, "straightness: how well the direction of the line is known"),
         }
