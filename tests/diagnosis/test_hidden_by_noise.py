@@ -24,7 +24,9 @@ def said(given: Prepared, run: str, first: int, last: int, size: float) -> Diagn
     noise = SIGMA * np.random.default_rng(7).standard_normal(readings.reading.size)
     mine = readings.run == readings.run_ids.index(run)
     off = np.where(mine & (readings.seq >= first) & (readings.seq < last), size, 0.0)
-    return diagnose(given.model, replace(given.data, readings=replace(readings, reading=readings.reading + noise + off)))
+    return diagnose(
+        given.model, replace(given.data, readings=replace(readings, reading=readings.reading + noise + off))
+    )
 
 
 @pytest.mark.parametrize("size", [8.0, -30.0])
