@@ -63,7 +63,7 @@ def set_up(lock: Path) -> None:
 
 
 def run_tests(rest: list[str]) -> int:
-    """With arguments: pytest with them. Without: all tests, of which the fast ones are to cover the code."""
+    """With arguments: pytest with them. Without: the fast tests, which are to cover the code, then the slow ones."""
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
@@ -72,7 +72,12 @@ def run_tests(rest: list[str]) -> int:
     workers = str((os.cpu_count() or 1) + 1)
     parallel = ("-n", workers, "--dist", "loadfile", "--no-loadscope-reorder", "-q", "--durations", "25")
     covered = ("--cov", "--cov-report=")  # `coverage report` then says what is not; pyproject.toml how much has to be
-    return run(*pytest, *parallel, *covered)
+    return run(*pytest, *parallel, "-m", "not slow", *covered) or run(*pytest, *parallel, "-m", "slow", *with_slow())
+
+
+def with_slow() -> list[Path]:
+    """The few files of tests that have slow ones: no worker needs to import the others once more."""
+    return [path for path in sorted(HERE.glob("tests/**/test_*.py")) if "mark.slow" in path.read_text("utf-8")]
 
 
 def run(*command: object) -> int:
