@@ -91,18 +91,15 @@ def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float
 
 
 def undecided(rows: Rows, good: BoolArray) -> BoolArray:
-    """(n,): readings of a place of which some are spoilt: the others may be the spoilt ones as well, where they are no
-    more than these; or no more than two in a row with them, which one disturbance may have spoilt. good: (n,), those
-    that seem to be.
+    """(n,): readings of a place of which some are spoilt, where no more than two in a row seem not to be: these may be
+    the spoilt ones as well, by one disturbance. good: (n,), those that seem not to be.
     """
     found = np.zeros(rows.size, dtype=bool)
     place = places_of(rows)
     for one in np.unique(place[~good]):
         mine = np.flatnonzero(place == one)
         kept = mine[good[mine]]
-        together = mine.size == np.ptp(mine) + 1 and np.unique(rows.target[mine]).size == 1
-        few = 2 * kept.size <= mine.size or (together and kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size)
-        found[mine] |= kept.size > 0 and few
+        found[mine] |= 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size
     return found
 
 
