@@ -16,24 +16,26 @@ def likeliest(ground: Ground, found: Search) -> list[Found]:
     return [zoomed(ground, residual, one) for one in scans if one.evidence > 0.0]
 
 
-def in_noise_of_a_run(ground: Ground, found: Search) -> Found | None:
-    """What would be a further cause if the noise of the runs that it acts on were what it leaves there: an instrument
-    that slips once makes a run of its own noise. The likeliest; None where there is none.
+def in_noise_of_a_run(ground: Ground, search: Search) -> Found | None:
+    """The likeliest candidate, of those that act on single runs, that the noise of these runs may hide, or None. A laser
+    that slips once makes its run look noisy: judged by that noise, the step is none.
 
-    The evidence is that of a t test by these readings alone, whose noise is unknown.
+    Evidence as of any candidate, but by an F test against what the candidate leaves of the readings of its runs: their
+    noise counts as unknown. The base's share of the degrees of freedom is not taken off: whether the candidate is a
+    cause decides the search with the noise that is estimated beside it.
     """
-    rows, most = ground.readings.rows, ground.threshold + FURTHER * bool(found.causes)
+    rows, most = ground.readings.rows, ground.threshold + FURTHER * bool(search.causes)
     best: Scanned | None = None
-    for one in found.last:
-        if not one.effect.runs:
+    for scan in search.last:
+        if not scan.effect.runs:
             continue
-        mine = np.isin(rows.run, [index for index, run in enumerate(rows.runs) if run.id in one.effect.runs])
-        left = float(found.residual[mine] @ found.residual[mine]) - one.statistic
-        freedom = int(mine.sum()) - one.freedom
-        if left <= 0.0 or freedom <= 0 or one.statistic <= 0.0:
+        reached = np.isin(rows.run, [index for index, run in enumerate(rows.runs) if run.id in scan.effect.runs])
+        left = float(search.residual[reached] @ search.residual[reached]) - scan.statistic
+        freedom = int(reached.sum()) - scan.freedom
+        if left <= 0.0 or freedom <= 0 or scan.statistic <= 0.0:
             continue
-        log_p = log_f_tail(one.statistic / one.freedom / (left / freedom), one.freedom, freedom)
-        evidence = -log_p / LN10 - float(np.log10(one.tries))
+        log_p = log_f_tail(scan.statistic / scan.freedom / (left / freedom), scan.freedom, freedom)
+        evidence = -log_p / LN10 - float(np.log10(scan.tries))
         if evidence > most:
-            best, most = one, evidence
-    return None if best is None else zoomed(ground, ground.left(beside_causes(ground, found.causes)), best)
+            best, most = scan, evidence
+    return None if best is None else zoomed(ground, ground.left(beside_causes(ground, search.causes)), best)

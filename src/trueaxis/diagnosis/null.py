@@ -94,13 +94,13 @@ def undecided(rows: Rows, good: BoolArray) -> BoolArray:
     """(n,): readings of a place of which some are spoilt, where no more than two in a row seem not to be: these may be
     the spoilt ones as well, by one disturbance. good: (n,), those that seem not to be.
     """
-    found = np.zeros(rows.size, dtype=bool)
-    place = places_of(rows)
-    for one in np.unique(place[~good]):
-        mine = np.flatnonzero(place == one)
-        kept = mine[good[mine]]
-        found[mine] |= 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size
-    return found
+    open_to_doubt = np.zeros(rows.size, dtype=bool)
+    places = places_of(rows)
+    for place in np.unique(places[~good]):
+        there = np.flatnonzero(places == place)
+        kept = there[good[there]]
+        open_to_doubt[there] |= 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size
+    return open_to_doubt
 
 
 def places_of(rows: Rows) -> IntArray:

@@ -129,8 +129,7 @@ def _beside_causes(
     null, ground, found, causes = _searched(readings, free, null, options, standing)
     start = (found.causes,) if causes else tuple((one,) for one in likeliest(ground, found))
     for tried in start:
-        known = refit(ground, tried)
-        fresh = again(null, np.sum([one.signal for one in known], axis=0), options.noise_um)
+        known, fresh = _noise_beside(ground, null, tried, options)
         changed = _changed(null.noise, fresh.noise)
         if not causes and not changed:
             continue  # the noise is no reason why nothing was found
@@ -140,13 +139,20 @@ def _beside_causes(
             break
     while len(causes) < MOST_CAUSES and (further := in_noise_of_a_run(ground, found)):
         tried = (*found.causes, further)
-        known = refit(ground, tried)
-        fresh = again(null, np.sum([one.signal for one in known], axis=0), options.noise_um)
+        known, fresh = _noise_beside(ground, null, tried, options)
         anew = _searched(readings, free, fresh, options, (*standing, *known), tried)
         if further.scan.effect not in [one.effect for one in anew[3]]:
             break
         null, ground, found, causes = anew
     return null, ground, found, causes
+
+
+def _noise_beside(
+    ground: Ground, null: Null, tried: Sequence[Found], options: DiagnoseOptions
+) -> tuple[tuple[Fitted, ...], Null]:
+    """Causes as they are fitted, and the null model with the noise that they leave."""
+    known = refit(ground, tried)
+    return known, again(null, np.sum([one.signal for one in known], axis=0), options.noise_um)
 
 
 def _searched(

@@ -117,5 +117,5 @@ def _module(path: Path, code: bytes, remedy: str) -> ModuleType:
 
 @lru_cache(maxsize=8)
 def _bytecode(code: bytes, name: str) -> CodeType:
-    """Of so many machines, for who loads them again and again: a tenth of a second each."""
+    """Compiled once in a process, for the last few machines: who loads one again saves a tenth of a second."""
     return compile(code, name, "exec")
