@@ -17,9 +17,9 @@ def likeliest(ground: Ground, found: Search) -> list[Found]:
 
 
 def in_noise_of_a_run(ground: Ground, search: Search) -> Found | None:
-    """The likeliest candidate, of those that act on single runs, that the noise of these runs may hide, or None. A laser
-    that slips once makes its run look noisy: judged by that noise, the step is none.
+    """The likeliest candidate, of those that act on single runs, that the noise of these runs may hide, or None.
 
+    A laser that slips once makes its run look noisy: judged by that noise, the step is none.
     Evidence as of any candidate, but by an F test against what the candidate leaves of the readings of its runs: their
     noise counts as unknown. The base's share of the degrees of freedom is not taken off: whether the candidate is a
     cause decides the search with the noise that is estimated beside it.
