@@ -15,9 +15,6 @@ from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
-# mm or deg, of an axis: closer to where it turns a sample may have either direction. By servo lag and by the angle of a
-# sample the turn is off by a degree at most, in which an axis of a circle of 150 mm moves so far
-TURNING = 0.02
 BENDS_S = 600.0  # s, of a run, for each further degree beyond 2
 PER_DEGREE = 8  # readings, at least
 
@@ -78,7 +75,8 @@ class Rows:
 def rows_of(data: MeasuredData) -> Rows:
     """The readings taken; plan rows, and rows in which a moving axis has come from nowhere, are left out.
 
-    So are samples of a ball bar that are so close to a reversal of an axis that their direction is anybody's choice.
+    So are the two samples of a ball bar beside each reversal of an axis: the very sample at which the direction
+    changes is anybody's choice.
     """
     readings, runs = data.readings, data.setup.runs
     taken = np.flatnonzero(~readings.planned)
@@ -86,7 +84,6 @@ def rows_of(data: MeasuredData) -> Rows:
     run, positions = readings.run[order], readings.positions[:, order]
     directions = readings.directions[:, order].astype(np.float64)
     feed = None if readings.feed is None else readings.feed[order]
-    context = context_of(runs, readings).of(order)
     keep = np.ones(order.size, dtype=bool)
     for index in np.unique(run):
         first, last = (int(end) for end in np.searchsorted(run, [index, index + 1]))
@@ -96,8 +93,9 @@ def rows_of(data: MeasuredData) -> Rows:
         told = moving & (directions[:, mine] != 0.0).any(axis=1)
         keep[mine] &= (directions[told, mine] != 0.0).all(axis=0)
         if runs[index].instrument == "ballbar":
-            since = context.since_reversal[moving, mine]
-            keep[mine] &= ~_turning(positions[moving, mine], directions[moving, mine], since)
+            change = (np.diff(directions[moving, mine], axis=1) != 0.0).any(axis=0)
+            keep[first : last - 1] &= ~change
+            keep[first + 1 : last] &= ~change
     setup = _setups(runs, run, positions)[run]
     everything = Rows(
         runs=tuple(runs),
@@ -114,22 +112,9 @@ def rows_of(data: MeasuredData) -> Rows:
         setup=setup,
         target=_targets(setup, positions, directions, feed),
         passing=np.zeros(order.size, dtype=np.int64),
-        context=context,
+        context=context_of(runs, readings).of(order),
     ).only(keep)
     return _with_passes(everything)
-
-
-def _turning(path: FloatArray, ways: FloatArray, since: FloatArray) -> BoolArray:
-    """(n,): samples too close to a reversal of one of the axes. path, ways, since: (n_axes, n), positions, directions
-    and ways since the last reversal, mm or deg.
-    """
-    found = since < TURNING
-    axis, before = np.nonzero(np.diff(ways, axis=1))
-    after = before + 1
-    turn = path[axis, after] - ways[axis, after] * since[axis, after]
-    passed = since[axis, before] < since[axis, after]  # it has turned already, and has the direction from before
-    found[axis, before] |= passed | (np.abs(path[axis, before] - turn) < TURNING)
-    return np.asarray(found.any(axis=0))
 
 
 def plane_of(rows: Rows, mine: BoolArray) -> str:

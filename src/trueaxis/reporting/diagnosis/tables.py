@@ -59,7 +59,7 @@ def measured(diagnosis: Diagnosis) -> Table:
     kept = [place for place in range(len(head)) if any(row[place] for row in rows)]
     numbers = frozenset(kept.index(place) for place in (3, 4, 6) if place in kept)
     return Table(
-        caption="Readings used: without outliers and those of a bar at a reversal or before an axis has moved",
+        caption="Readings used: without outliers and those of a bar next to a reversal or before an axis has moved",
         head=tuple(head[place] for place in kept),
         rows=tuple(tuple(row[place] for place in kept) for row in rows),
         numbers=numbers,
