@@ -9,9 +9,10 @@ import pytest
 from tests.worlds.estimates import World, deviations, outcome, rms_um, world
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine, random_points
-from trueaxis.estimation.estimate import EstimationOptions, NothingHeldError, estimate
+from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.rounds import NothingHeldError
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.setup import Device
 from trueaxis.model.curves import PolynomialCurve

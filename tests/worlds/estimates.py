@@ -18,7 +18,7 @@ from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
 from tests.worlds.shop import Unknown, every_unknown
 from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
-from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.estimate import USUAL, EstimationOptions, estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.result import Estimate
@@ -118,14 +118,19 @@ def world(seed: int, folder: Path, axes: int | None = None) -> World:
 
 def outcome(one: World, seed: int, curves: str = "smooth", given: str = "default") -> Outcome:
     """Draw a machine, measure it, estimate it."""
-    truth = draw_machine(one.design.machine, seed, curves=curves)
+    return outcome_of(one, draw_machine(one.design.machine, seed, curves=curves), seed, given)
+
+
+def outcome_of(
+    one: World, truth: Truth, seed: int, given: str = "default", options: EstimationOptions = USUAL
+) -> Outcome:
+    """Measure a machine, estimate it."""
     reading = measure(one.design, truth, seed).reading
     model = one.models[given]
     dimensions = {name: model.errors.parameters[name] for name in model.dimensions}
     start = time.process_time()
-    found = estimate(
-        model, replace(one.plan, reading=reading.copy()), ErrorValues(machine=model.name, parameters=dimensions)
-    )
+    known = ErrorValues(machine=model.name, parameters=dimensions)
+    found = estimate(model, replace(one.plan, reading=reading.copy()), known, options)
     seconds = time.process_time() - start
     positions = np.array([one.points[axis] for axis in model.axes])
     covariance = covariance_of(found.layout, found.spread)

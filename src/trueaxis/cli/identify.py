@@ -131,7 +131,8 @@ def _add_method(parser: argparse.ArgumentParser) -> None:
         "--degree",
         type=_degree_option,
         metavar="N",
-        help=f"method global: highest order of the curves ({DEGREE}; with --prior none {DEGREE_WITHOUT_PRIOR})",
+        help=f"method global: highest order of the curves ({DEGREE}, or more where readings tell more; "
+        f"with --prior none {DEGREE_WITHOUT_PRIOR})",
     )
     parser.add_argument(
         "--instruments",

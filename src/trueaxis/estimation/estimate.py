@@ -6,58 +6,36 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
-from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posterior_at
+from trueaxis.estimation.evidence import averaged, likelier, posterior_at
 from trueaxis.estimation.fitted import Fitted, evidence_ratio
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.instrument_sizes import as_expected
 from trueaxis.estimation.layout import layout_of
-from trueaxis.estimation.least_norm import least_norm
 from trueaxis.estimation.left_out import Contradiction, contradictions
 from trueaxis.estimation.misread import SURE, Misread, Refit, mean_square, misread_runs, unexplained
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.orders import higher_degrees
 from trueaxis.estimation.own_part import beside
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
+from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, SEARCH_ROUNDS, determined, settled
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import (
-    State,
-    linearised,
-    moved,
-    of_runs,
-    same_readings,
-    started,
-    with_first_noise,
-    with_noise,
-    without_outliers,
-)
+from trueaxis.estimation.state import State, linearised, moved, of_runs, started
 from trueaxis.estimation.swapped import likely_pairs
-from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
-LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
-SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then still holds it, and its start is rough
-CONTINUED_ROUNDS = 2  # at least, of an estimate that goes on without some runs: noise and sizes are nearly there
-# fits to the same readings, after which the noise goes on from what it was: before, it starts from how residuals differ
-# from their neighbours. A first fit leaves values uncertain, which looks like slow noise, and would take hundreds of
-# rounds to go: world 9041 of tests/worlds had a slow noise of 0.53 um where there is none
-STEADY = 2
-SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
 LEAST_SQUARE = 1.0 / 9.0  # of residuals over their stated noise: below, it is three times too large or more
-SEED = 20  # of the draws from which the noise is taken
-
-
-class NothingHeldError(ValueError):
-    """No reading depends on an error that is to be estimated."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -65,15 +43,16 @@ class EstimationOptions:
     """noise: standard deviation of the readings of runs, by index, mm; that of an instrument is estimated unless all of
     its runs are there; start: values of effects, which spare the search of those that the readings do not depend on
     linearly; prior: whether anything is expected of the machine's errors: if not, what the readings do not determine is
-    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves; changes: whether
-    readings are changes against values given: one run may then hold all that has changed, and contradicts nothing.
+    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves; None:
+    with a prior as high as readings tell, else DEGREE; changes: whether readings are changes against values given: one
+    run may then hold all that has changed, and contradicts nothing.
     """
 
     noise: Mapping[int, float] = field(default_factory=dict)
     start: Sequence[EffectValues] = ()
     prior: bool = True
     ideal: bool = False
-    degree: int = DEGREE
+    degree: int | None = None
     changes: bool = False
 
 
@@ -89,10 +68,13 @@ class _Setting:
     given: ErrorValues
     runs: tuple[MeasuredRun, ...]
     options: EstimationOptions
+    degrees: Mapping[ErrorName, int] = field(default_factory=dict)  # of curves of higher orders than others
 
     def started(self, effects: EffectUnknowns) -> tuple[State, Sizes]:
         """Nothing estimated yet."""
-        layout = giving_way(layout_of(self.model, self.observed, self.given, effects, self.options.degree), self.runs)
+        degree = self.options.degree or DEGREE
+        layout = layout_of(self.model, self.observed, self.given, effects, degree, self.degrees)
+        layout = giving_way(layout, self.runs)
         state = started(layout, self.runs, self.given, self.options.noise)
         return state, Sizes(layout, state.own_kinds, flat=not self.options.prior, ideal=self.options.ideal)
 
@@ -135,55 +117,27 @@ def estimate(
 def _searched(setting: _Setting, effects: EffectUnknowns, effect: Effect, kind: Kind) -> EffectUnknowns:
     """The effects and one more, started beside a rough estimate of all others."""
     state, sizes = setting.started(effects.without([effect]))
-    x, state, _ = _rounds(state, sizes, SEARCH_ROUNDS)
-    posterior, _ = _determined(sizes, posterior_at(sizes, linearised(state), x))  # by the noise as it is now
+    x, state, _ = settled(state, sizes, SEARCH_ROUNDS)
+    posterior, _ = determined(sizes, posterior_at(sizes, linearised(state), x))  # by the noise as it is now
     state = moved(state, posterior, sizes.own_scales(x))
     return with_searched(state.layout.effects, effect, kind, beside(state, sizes, x, posterior))
 
 
-def _rounds(
-    state: State, sizes: Sizes, most: int, x: FloatArray | None = None, least: int = LEAST_ROUNDS
-) -> tuple[FloatArray, State, int]:
-    """Noise, outliers, sizes and unknowns in turn, `most` times or until the noise stands still.
-
-    x: sizes at first, if they are known.
-    """
-    draw = np.random.default_rng(SEED)
-    steady, sharp = STEADY if x is not None else 0, False
-    x = np.zeros(sizes.spread.size) if x is None else x
-    for rounds in range(1, most + 1):
-        found = linearised(state)
-        if not found.holds(state.layout.of_machine):
-            raise NothingHeldError("no reading holds an error of the machine")
-        x, posterior = best_sizes(sizes, found, x)
-        posterior, _ = _determined(sizes, posterior)
-        before = moved(state, posterior, sizes.own_scales(x))
-        noisy = with_noise(before, posterior, draw, steady >= STEADY)
-        change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in noisy.noise.items())
-        state = without_outliers(noisy, posterior, sharp)
-        if change < SETTLED and rounds >= least and same_readings(before, state):
-            if sharp:
-                break
-            sharp, state = True, without_outliers(noisy, posterior, sharp=True)
-            if same_readings(before, state):
-                break
-        steady = steady + 1 if same_readings(before, state) else 0
-        if steady < STEADY:
-            state = with_first_noise(state)
-    return x, state, rounds
-
-
 def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     state, sizes = setting.started(effects)
+    x, state, rounds = settled(state, sizes, MOST_ROUNDS)
+    while higher := _higher_degrees(setting, Fitted(state=state, sizes=sizes, x=x)):
+        setting = replace(setting, degrees={**setting.degrees, **higher})
+        state, sizes = setting.started(effects)
+        x, state, rounds = settled(state, sizes, MOST_ROUNDS)
     layout = state.layout
-    x, state, rounds = _rounds(state, sizes, MOST_ROUNDS)
     converged, last = False, np.inf
     steps = 0
     while steps < MOST_STEPS and last >= (STILL if setting.options.prior else EXACT):
         steps += 1
         found = linearised(state)
         whole = posterior_at(sizes, found, x)
-        posterior, left_open = _determined(sizes, whole)
+        posterior, left_open = determined(sizes, whole)
         before = state
         state = moved(state, posterior, sizes.own_scales(x))
         change = max(
@@ -229,6 +183,13 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     )
 
 
+def _higher_degrees(setting: _Setting, fitted: Fitted) -> dict[ErrorName, int]:
+    """Of curves that end at an order which readings tell; none where no prior says how orders shrink."""
+    if setting.options.degree is not None or not setting.options.prior:
+        return {}
+    return higher_degrees(fitted.state.layout, fitted.posterior())
+
+
 def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, Misread], list[Contradiction]]:
     """Runs that were misread, and those that contradict the others whatever is wrong with them.
 
@@ -244,13 +205,13 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         of_runs = tuple(kept[one.rows.index] for one in runs) if kept else ()
         begun = started(state.layout, tuple(runs), setting.given, noise, of_runs)
         sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
-        x, found, _ = _rounds(begun, sizes, MOST_ROUNDS)
+        x, found, _ = settled(begun, sizes, MOST_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
     def continued(runs: Sequence[MeasuredRun]) -> Fitted:
         begun = of_runs(fitted.state, runs)
         sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
-        x, found, _ = _rounds(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
+        x, found, _ = settled(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
     if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
@@ -282,16 +243,9 @@ def _under_each_other(
         relabelled = setting.observed.exchanged(*swap.places)
         there = replace(setting, observed=relabelled, runs=tuple(measured_runs(relabelled)))
         begun, sizes = there.started(fitted.state.layout.effects)
-        x, state, _ = _rounds(begun, sizes, MOST_ROUNDS)
+        x, state, _ = settled(begun, sizes, MOST_ROUNDS)
         gain = evidence_ratio(fitted, Fitted(state=state, sizes=sizes, x=x)) - float(np.log(swap.among))
         if gain > max([SURE, *(one.log_odds for one in {**misread, **found}.values())]):
             of_both = (swap.places, swap.places[::-1])
             found = {one: Misread(how="swapped", log_odds=gain, partner=other) for one, other in of_both}
     return found
-
-
-def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:
-    """The posterior, and without a prior what of it is open and zero: (n, d), in scaled unknowns."""
-    if sizes.flat:
-        return least_norm(posterior, sizes.layout.of_machine)
-    return posterior, np.zeros((posterior.mean.size, 0))

@@ -10,6 +10,7 @@ from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, s
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.noise_of_residuals import SHARES
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.orders import HIGHEST_DEGREE, told_to_their_end
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.set_up import is_straightness
@@ -123,8 +124,7 @@ def estimate_notes(
     for kind, (size, key) in expected.items():
         # a size of which readings tell little may come out far from the expected one without meaning it
         if found.likelier.get(kind, 0.0) > LIKELIER:
-            factor = found.factors[kind]
-            unit = "urad" if key.endswith("urad") else "um"
+            factor, unit = found.factors[kind], "urad" if key.endswith("urad") else "um"
             doubt = "; if this machine cannot have them, check units, directions and compensation in setup.toml"
             notes.append(
                 f"[prior] says {key} = {size:g}, but the readings are {_times(found.likelier[kind])} as likely with "
@@ -145,6 +145,7 @@ def estimate_notes(
         )
     return (
         *notes,
+        *(_rough(found) if prior else ()),
         *_alignment(observed, found),
         *misread_notes(observed, found, prior=prior),
         *_zeros_far_off(observed, found),
@@ -174,6 +175,21 @@ def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
                 f"the {kind} of {len(far)} of {len(of_run)} runs is larger than {usual * factor:.3g} {unit}: "
                 f"{', '.join(named)}{rest}; the estimate attributes that to the instrument, not to the machine"
             )
+
+
+def _rough(found: Estimate) -> Iterator[str]:
+    """Curves whose last orders are told: u holds nothing of what is beyond them."""
+    degrees = dict(zip(found.layout.components, (basis.degree for basis in found.layout.bases), strict=True))
+    by_degree: dict[int, list[str]] = {}
+    for name in told_to_their_end(found.layout, found.spread, found.scale):
+        by_degree.setdefault(degrees[name], []).append(name)
+    for degree, names in by_degree.items():
+        yield (
+            f"{enumerated(names)}: readings tell waves as fine as the curve can follow (order {degree}), and may hold "
+            "finer ones, as of a pitch table: the noise then holds what is between the targets, and beyond the "
+            "outermost ones the curve may be off by several u; read home and both ends of the travel"
+            + (", or take more orders (without --degree)" if degree < HIGHEST_DEGREE else "")
+        )
 
 
 def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:

@@ -5,7 +5,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.observations import observations
 from trueaxis.identification.believable_setup import setup_faults
@@ -80,9 +79,9 @@ def identify(
     readings); noise_urad: of angle instruments; None: from the readings. squareness: source of the squareness: level
     straightness lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether the errors have the sizes of
     [prior]; if not, errors that readings do not determine are zero and named. ideal_instruments: the instruments have
-    no unknowns. degree: highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by
-    point, with curves as a "table", a "polynomial" by its procedure, or one whose order is chosen by "held-out"
-    positions.
+    no unknowns. degree: highest order of the curves (14, or more where readings tell more; 7 without prior). method
+    "stepwise" is the paper's, point by point, with curves as a "table", a "polynomial" by its procedure, or one whose
+    order is chosen by "held-out" positions.
 
     Raises InputError if arguments do not go together, the set-up contradicts the machine, or no reading depends on an
     error; NotConvergedError if the fit does not converge; UnbelievableError if no machine has such values;
@@ -130,7 +129,7 @@ def _of_data(report: IdentificationReport, measured: MeasuredData, folder: Path)
 
 def _options(choice: "MethodChoice", values: ErrorValues | None) -> IdentifyOptions:
     """What the estimate is told. values: that are known."""
-    degree = choice.degree or (DEGREE if choice.prior else DEGREE_WITHOUT_PRIOR)
+    degree = choice.degree or (None if choice.prior else DEGREE_WITHOUT_PRIOR)
     return IdentifyOptions(
         "known" if choice.squareness == "known" else "convention",
         values,
