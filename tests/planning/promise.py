@@ -16,8 +16,8 @@ import numpy as np
 
 from tests.planning.data import model
 from tests.worlds.estimates import world
-from trueaxis.estimation.curve_prior import CurvePrior
-from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.curve_prior import DEGREE, CurvePrior
+from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.observations import Observations
@@ -93,7 +93,8 @@ def outcomes(one: Shop, seed: int) -> dict[Datum, Outcome]:
     layout = layout_of(one.machine.with_values(one.given), observed, one.given)
     truth = prior_sizes(layout) * np.random.default_rng(1000 + seed).standard_normal(layout.count)
     reading = readings(layout, observed, truth, one.given, seed)
-    found = estimate(one.machine, replace(observed, reading=reading), one.given)
+    options = EstimationOptions(degree=DEGREE)  # of the curves that are drawn, and that plan counts by
+    found = estimate(one.machine, replace(observed, reading=reading), one.given, options)
     machine, result = slice(layout.of_machine), dict[Datum, Outcome]()
     for datum in DATUMS:
         moved = moved_by(layout, volume(layout.model), TOOL, datum)

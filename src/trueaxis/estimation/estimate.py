@@ -126,8 +126,8 @@ def _searched(setting: _Setting, effects: EffectUnknowns, effect: Effect, kind: 
 def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     state, sizes = setting.started(effects)
     x, state, rounds = settled(state, sizes, MOST_ROUNDS)
-    while higher := _higher_degrees(setting, Fitted(state=state, sizes=sizes, x=x)):
-        setting = replace(setting, degrees={**setting.degrees, **higher})
+    setting = replace(setting, degrees=_higher_degrees(setting, effects, Fitted(state=state, sizes=sizes, x=x)))
+    if setting.degrees:
         state, sizes = setting.started(effects)
         x, state, rounds = settled(state, sizes, MOST_ROUNDS)
     layout = state.layout
@@ -183,11 +183,25 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     )
 
 
-def _higher_degrees(setting: _Setting, fitted: Fitted) -> dict[ErrorName, int]:
-    """Of curves that end at an order which readings tell; none where no prior says how orders shrink."""
-    if setting.options.degree is not None or not setting.options.prior:
+def _higher_degrees(setting: _Setting, effects: EffectUnknowns, fitted: Fitted) -> dict[ErrorName, int]:
+    """Of curves that end at an order which readings tell; none where no prior says how orders shrink.
+
+    Where residuals are far from a noise that is stated, by one that is estimated: by a noise far too small readings
+    would tell any order, and the curves follow what is wrong with them.
+    """
+    options = setting.options
+    if options.degree is not None or not options.prior:
         return {}
+    if options.noise and not _as_stated(fitted.state):
+        state, sizes = replace(setting, options=replace(options, noise={})).started(effects)
+        x, state, _ = settled(state, sizes, MOST_ROUNDS)
+        fitted = Fitted(state=state, sizes=sizes, x=x)
     return higher_degrees(fitted.state.layout, fitted.posterior())
+
+
+def _as_stated(state: State) -> bool:
+    """Whether residuals are as large as a noise that is stated."""
+    return LEAST_SQUARE < mean_square(state) <= 1.0
 
 
 def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, Misread], list[Contradiction]]:
@@ -214,7 +228,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         x, found, _ = settled(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
-    if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
+    if noise and not _as_stated(state):
         noise = {}
         fitted = refit(setting.runs)
         posterior = fitted.posterior()
