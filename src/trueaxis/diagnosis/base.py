@@ -32,6 +32,9 @@ from trueaxis.model.uncertainty import home_of, open_steps
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
 PLACES = 201  # over the travel, at which a curve is looked at
+# mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
+# digit of positions; it would be free to be anything, and take up noise
+UNFELT = 1e-8
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -136,15 +139,17 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
         np.full_like(one, one.max()) if name in rough else one
         for name, one in zip(layout.components, weights, strict=True)
     ]
-    others = np.ones(int((~chance).sum()) - sum(counts))
+    expected = np.concatenate([*weights, np.ones(int((~chance).sum()) - sum(counts))])
+    columns = everything.take(~chance)
+    unfelt = np.linalg.norm(columns.weights, axis=0) * expected < UNFELT
     return Base(
-        columns=everything.take(~chance),
+        columns=replace(columns, weights=np.where(unfelt, 0.0, columns.weights)),
         of_machine=layout.of_machine,
         rough=tuple(sorted(rough)),
         components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
         units={name: name.unit for name in layout.components}
         | {name: model.machine.parameter_unit(name) for name in layout.locations},
-        expected=np.concatenate([*weights, others]),
+        expected=expected,
         sizes=layout.sizes[~chance],
         bases=dict(zip(layout.components, layout.bases, strict=True)),
         by_chance=everything.take(chance).dense(),

@@ -106,10 +106,11 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     for wide in WIDER:
         deviation = np.ones(length.size)
         deviation[: null.base.of_machine] = wide * null.base.expected[: null.base.of_machine]
-        root = np.linalg.pinv(np.vstack([r, np.diag(1.0 / deviation / length)]), rcond=RANK) / length[:, np.newaxis]
+        sized = r * (deviation * length)  # in units of what is expected nothing has to be cut off
+        root = deviation[:, np.newaxis] * np.linalg.pinv(np.vstack([sized, np.eye(length.size)]))
         root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
         found, left = _beside(null, columns, q, root, values)
-        likely = _log_likelihood(q, r * (deviation * length), null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
+        likely = _log_likelihood(q, sized, null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
         if likely > most:
             best, most = found, likely
         if not found:
