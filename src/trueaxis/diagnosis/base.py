@@ -64,6 +64,16 @@ class Base:
     runs: tuple[MeasuredRun, ...]
 
     @property
+    def free(self) -> tuple[FloatArray, ...]:
+        """(n_r, k) of every run: its own unknowns but for its drift, see `RunNoise.drifts`.
+
+        Where each target is read in both directions before the next, a drift of some hundred micrometres and a curve
+        against it come to the same as play: a drift that may be as large as that would hide it.
+        """
+        kinds = [np.array([kind.endswith(" drift") for kind in one]) for one in self.own_kinds]
+        return tuple(own[:, ~drift] for own, drift in zip(self.own, kinds, strict=True))
+
+    @property
     def machine(self) -> ByRun:
         """(n, of_machine): the machine's own columns."""
         return self.columns.take(slice(self.of_machine))

@@ -144,7 +144,7 @@ def _without(null: Null, given_up: Group) -> Null:
         return null
     some = null.only(~np.isin(null.rows.run, [null.base.runs[place].rows.index for place in given_up]))
     noises, _, _ = noise_of_runs(some.rows, some.base, some.values, None, null.found)
-    return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.own)))
+    return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.free)))
 
 
 def against_others(

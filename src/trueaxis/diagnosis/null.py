@@ -140,7 +140,7 @@ def lent(null: Null, other: Null) -> Null:
     for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
         noise = told.get(run.rows.index) or told.get(run.noise_group) or before
         noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
-    return replace(null, whitening=whitening(null.rows.run, noises, null.base.own))
+    return replace(null, whitening=whitening(null.rows.run, noises, null.base.free))
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
@@ -161,7 +161,7 @@ def _with_noise(
     rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
 ) -> Null:
     runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
-    white = whitening(rows.run, runs, base.own)
+    white = whitening(rows.run, runs, base.free)
     given = np.zeros((base.of_machine, 0))
     return Null(
         rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found, given=given
@@ -195,8 +195,9 @@ def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
     found = values.copy()
     for place, (run, own) in enumerate(zip(whiten.runs, whiten.own, strict=True)):
         here = slice(int(whiten.starts[place]), int(whiten.starts[place + 1]))
-        sized = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)
+        sized = np.column_stack([run.drift, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])
         both = run.whitened(np.column_stack([sized, values[here]]))
+        both = np.vstack([both, np.eye(1, both.shape[1])])  # what is expected of the drift
         found[here] -= sized @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
     return found
 
@@ -229,7 +230,8 @@ def _judged(
 
     scale: of its white noise over that of its instrument, None where it is given.
     """
-    run, own = whiten.runs[place], whiten.own[place]
+    run = whiten.runs[place]
+    own = np.column_stack([whiten.own[place], run.drift])
     factor = excess(left, run.sigma) if scale is None else 1.0
     noise, usual = run.noise.sized(factor), 1.0
     if scale is not None:

@@ -1,8 +1,9 @@
 """Readings made independent, run by run, and what nobody knows of each run's instrument taken away.
 
-Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, its creep
-in time, the slope of a straightness line, the place of a ball) are free: what is whitened has them projected out. By
-chance it also settles after the start of the run, with a standard deviation that is the same for runs of an instrument.
+Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, the slope
+of a straightness line, the place of a ball) are free: what is whitened has them projected out. By chance it also drifts
+over the run, as far as its class is known to, and wanders, and settles after the start of the run, as runs of its
+instrument do.
 """
 
 from collections.abc import Sequence
@@ -24,8 +25,8 @@ RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class RunNoise:
     """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
-    (n,), share of its duration; wanders, settles: standard deviations of its random walk, at its end, and of its
-    settling, mm.
+    (n,), share of its duration; wanders, settles, drifts: standard deviations of its random walk, at its end, of its
+    settling, and of its drift over the run, mm.
     """
 
     noise: Noise
@@ -33,6 +34,7 @@ class RunNoise:
     passed: FloatArray
     wanders: float
     settles: float
+    drifts: float
 
     @property
     def sigma(self) -> float:
@@ -46,9 +48,14 @@ class RunNoise:
 
     @property
     def chance(self) -> FloatArray:
-        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero and its drift are free."""
+        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero is free."""
         settled = self.settles * settling(self.passed)
         return np.hstack([self.wanders * wandering(self.passed), settled[:, np.newaxis]])
+
+    @property
+    def drift(self) -> FloatArray:
+        """(n,), mm: one standard deviation of its drift."""
+        return self.drifts * (self.passed - 0.5)
 
     def whitened(self, columns: FloatArray) -> FloatArray:
         """(n, k) columns by the white and the slow noise alone."""
@@ -173,7 +180,7 @@ def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     left, singular, _ = np.linalg.svd(white, full_matrices=False)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
     own_count = basis.shape[1]
-    chance = alone.every(run.chance)
+    chance = alone.every(np.column_stack([run.drift, run.chance]))
     chance -= basis @ (basis.T @ chance)
     turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
     told = deviation > SLIGHT
