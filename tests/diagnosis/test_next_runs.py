@@ -66,7 +66,7 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
         [[white / np.linalg.norm(white, axis=0), drifts / sigma], [np.zeros((len(expected), white.shape[1])), expected]]
     )
     signatures = np.vstack([signatures, np.zeros((len(expected), 2))])
-    rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-10)[0]
+    rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-12)[0]
     gram = rest.T @ rest
     mine, rival = (outlook(prospect, effect) for effect in pair)
     found = told(mine, rival, number, TIMES.index(1))

@@ -31,6 +31,7 @@ from trueaxis.model.uncertainty import home_of, open_steps
 
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
+WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 PLACES = 201  # over the travel, at which a curve is looked at
 # mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
 # digit of positions; it would be free to be anything, and take up noise
@@ -62,6 +63,11 @@ class Base:
     own: tuple[FloatArray, ...]
     own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
+
+    @property
+    def wide(self) -> FloatArray:
+        """(p,): standard deviation of each unknown where errors of the machine are as large as they may be."""
+        return np.where(np.arange(self.expected.size) < self.of_machine, WIDE, 1.0) * self.expected
 
     @property
     def free(self) -> tuple[FloatArray, ...]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from trueaxis.diagnosis.base import Base
+from trueaxis.diagnosis.base import WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.null import Null, factored
 from trueaxis.diagnosis.result import FloatArray, IntArray
@@ -39,7 +39,6 @@ WHOLE = {  # an unknown of a run that holds what runs share besides -> the class
     "ballbar zero": "ballbar length",
     "probe zero": "probe origin",
 }
-WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 WIDER = (WIDE, 16.0, 64.0, 256.0)  # and by these where readings say so
 SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms of its factor
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ

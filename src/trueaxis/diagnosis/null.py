@@ -113,7 +113,7 @@ def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dic
     """(n,): readings left out that the noise of those that count explains after all; and each that was, by its place,
     in standard deviations of that noise, its neighbours known. good: (n,), those that count.
     """
-    left = whole.values - whole.base.columns @ fitted(found.whitening, found.base.columns, found.values)
+    left = whole.values - whole.base.columns @ _expected(found)
     limit = float(-ndtri(0.5 * EXPECTED / max(good.size, 1)))
     back, told = np.zeros(good.size, dtype=bool), dict[int, Outlier]()
     for run, own, noise in zip(whole.base.runs, whole.base.own, lent(whole, found).whitening.runs, strict=True):
@@ -200,6 +200,15 @@ def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
         both = np.vstack([both, np.eye(1, both.shape[1])])  # what is expected of the drift
         found[here] -= sized @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
     return found
+
+
+def _expected(null: Null) -> FloatArray:
+    """(p,): coefficients of the base with what is expected of them: what nothing else tells of is not any number."""
+    q, r, size = factored(null.whitening, null.base.columns)
+    wide = null.base.wide
+    sized = np.vstack([r * (size * wide), np.eye(wide.size)])
+    asked = np.concatenate([q.transposed(null.whitening(null.values)), np.zeros(wide.size)])
+    return wide * np.asarray(np.linalg.lstsq(sized, asked, rcond=None)[0])
 
 
 def _left(null: Null, values: FloatArray) -> FloatArray:
