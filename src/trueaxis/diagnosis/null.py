@@ -239,8 +239,7 @@ def _judged(
 
     scale: of its white noise over that of its instrument, None where it is given.
     """
-    run = whiten.runs[place]
-    own = np.column_stack([whiten.own[place], run.drift])
+    run, own = whiten.runs[place], whiten.own[place]
     factor = excess(left, run.sigma) if scale is None else 1.0
     noise, usual = run.noise.sized(factor), 1.0
     if scale is not None:

@@ -18,6 +18,7 @@ from trueaxis.estimation.noise import Whitening as OfOneRun
 
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
 MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
+AS_FREE = 1e4  # standard deviations of the noise: a drift as large is free, and a covariance still has its inverse
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
@@ -48,14 +49,14 @@ class RunNoise:
 
     @property
     def chance(self) -> FloatArray:
-        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero is free."""
+        """(n, k), mm: how it drifts, settles and wanders, one standard deviation each; its zero is free."""
         settled = self.settles * settling(self.passed)
-        return np.hstack([self.wanders * wandering(self.passed), settled[:, np.newaxis]])
+        return np.column_stack([self.drift, settled, self.wanders * wandering(self.passed)])
 
     @property
     def drift(self) -> FloatArray:
         """(n,), mm: one standard deviation of its drift."""
-        return self.drifts * (self.passed - 0.5)
+        return min(self.drifts, AS_FREE * self.sigma) * (self.passed - 0.5)
 
     def whitened(self, columns: FloatArray) -> FloatArray:
         """(n, k) columns by the white and the slow noise alone."""
@@ -180,7 +181,7 @@ def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     left, singular, _ = np.linalg.svd(white, full_matrices=False)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
     own_count = basis.shape[1]
-    chance = alone.every(np.column_stack([run.drift, run.chance]))
+    chance = alone.every(run.chance)
     chance -= basis @ (basis.T @ chance)
     turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
     told = deviation > SLIGHT
