@@ -35,6 +35,7 @@ SMALL = Design(lines=2, repeats=2, targets=21, samples=72)
 WHITE = Noise(SIGMA)
 SLOW = Noise(SIGMA, SIGMA / 2, 4.5)
 MANY = 1e6  # degrees of freedom of a noise that is known
+DRIFTS = 1e-2  # mm, over a run: ten times what the classes of instruments state, as their factor allows
 
 
 @dataclass(frozen=True)
@@ -107,13 +108,20 @@ class Field:
         )
 
     def without_own(self) -> FloatArray:
-        """(n, k): every unknown of every run's instrument, written out over all rows."""
+        """(n, k): every free unknown of every run's instrument, written out over all rows."""
         found = []
-        for run, own in zip(self.null.runs, self.null.own, strict=True):
+        for run, own in zip(self.null.runs, self.null.free, strict=True):
             block = np.zeros((self.readings.rows.size, own.shape[1]))
             block[run.rows.at] = own
             found.append(block)
         return np.hstack(found)
+
+    def drifts(self) -> FloatArray:
+        """(n, runs): by how much each run drifts, one standard deviation."""
+        found = np.zeros((self.readings.rows.size, len(self.null.runs)))
+        for k, (run, noise) in enumerate(zip(self.null.runs, self.whitening.runs, strict=True)):
+            found[run.rows.at, k] = noise.drifts * (run.rows.passed - 0.5)
+        return found
 
 
 @cache
@@ -125,8 +133,8 @@ def field(design: Design = SMALL, noise: Noise = WHITE, machine: str = "table_mi
 
 def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: float = 0.0) -> Field:
     null = base_of(model, rows)
-    runs = [run_noise(noise, run.rows.steps, run.rows.passed, settles) for run in null.runs]
-    white = whitening(rows.run, runs, null.own)
+    runs = [run_noise(noise, run.rows.steps, run.rows.passed, settles, drifts=DRIFTS) for run in null.runs]
+    white = whitening(rows.run, runs, null.free)
     names = dict.fromkeys(run.instrument for run in null.runs)
     told = [
         NoiseOf(
@@ -146,13 +154,18 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
 
 
 def run_noise(
-    noise: Noise, steps: FloatArray, passed: FloatArray, settles: float = 0.0, wanders: float = 0.0
+    noise: Noise,
+    steps: FloatArray,
+    passed: FloatArray,
+    settles: float = 0.0,
+    wanders: float = 0.0,
+    drifts: float = 0.0,
 ) -> RunNoise:
-    return RunNoise(noise=noise, steps=steps, passed=passed, wanders=wanders, settles=settles)
+    return RunNoise(noise=noise, steps=steps, passed=passed, wanders=wanders, settles=settles, drifts=drifts)
 
 
 def dense_covariance(run: RunNoise) -> FloatArray:
-    """(n, n), mm^2: white, slow, wandering and settling noise of a run, written out entry by entry."""
+    """(n, n), mm^2: white, slow, drifting, wandering and settling noise of a run, written out entry by entry."""
     at = np.cumsum(np.concatenate([[0.0], run.steps[1:]]))
     lag = np.abs(np.subtract.outer(at, at))
     noise = run.noise
@@ -160,7 +173,9 @@ def dense_covariance(run: RunNoise) -> FloatArray:
     course = np.exp(-run.passed / SETTLED)
     modes = np.pi * np.arange(1, MODES + 1)
     walk = np.sqrt(2.0) * np.sin(np.outer(run.passed, modes)) / modes
-    return np.asarray(stationary + run.wanders**2 * walk @ walk.T + run.settles**2 * np.outer(course, course))
+    slow = run.wanders**2 * walk @ walk.T + run.settles**2 * np.outer(course, course)
+    drift = run.passed - 0.5
+    return np.asarray(stationary + slow + run.drifts**2 * np.outer(drift, drift))
 
 
 def drawn_noise(source: np.random.Generator, run: RunNoise, count: int = 1) -> FloatArray:

@@ -69,13 +69,14 @@ def test_without_repeats_some_readings_are_held_back() -> None:
 
 
 def test_the_fit_is_ridge_regression() -> None:
-    """By the normal equations, with the covariance of white noise and the runs' own unknowns wide."""
+    """By the normal equations, with the covariance of white noise, the runs' own unknowns wide, and their drifts."""
     values = noise(1) + cause().signal
     found = fit_of(values, (cause(),), ~HELD)
     own = WHERE.without_own()
-    columns = np.hstack([found.columns.dense(), own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])[~HELD]
+    wide, drifts = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300), WHERE.drifts()
+    columns = np.hstack([found.columns.dense(), wide, drifts])[~HELD]
     p = found.extended.size
-    prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9)])
+    prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9), np.ones(drifts.shape[1])])
     information = columns.T @ columns / SIGMA**2 + np.diag(prior)
     expected = np.linalg.solve(information, columns.T @ values[~HELD] / SIGMA**2)[:p]
     u = np.sqrt(np.diag(np.linalg.inv(information)))[:p]
@@ -93,7 +94,7 @@ def test_held_out_readings_change_nothing_of_the_fit() -> None:
 
 def test_zeros_slopes_and_centres_of_held_out_runs_are_nothing_lost() -> None:
     """Their own unknowns, however large, are fitted to them, and counted: the figure stays the same."""
-    own = np.concatenate([columns @ np.full(columns.shape[1], 0.5) for columns in WHERE.null.own])
+    own = np.concatenate([columns @ np.full(columns.shape[1], 0.5) for columns in WHERE.null.free])
     values = noise(2)
     for stage in ("given", "refitted", "extended"):
         without, beside = (getattr(of_held(one).stage(), stage) for one in (values, values + own))

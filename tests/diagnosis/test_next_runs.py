@@ -52,14 +52,21 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
     part = prospect.innovations[number]
     keep = np.r_[0:size, part.rows]
     every = replace(one, readings=prospect.readings, null=base_of(one.readings.model, rows))
+    every = replace(every, whitening=prospect.whitening)
+    drifts = every.drifts()[keep]
+    drifts = drifts[:, drifts.any(axis=0)]
     base = np.hstack([every.columns, every.without_own()])
     sigma = prospect.whitening.sigma[keep, np.newaxis]
     assert prospect.whitening.sigma[:size] == pytest.approx(SIGMA)
     columns = np.column_stack([signature_of(prospect.readings, effect).over_all()[:, 0] for effect in pair])
     white, signatures = base[keep] / sigma, columns[keep] / sigma
     white = white[:, white.any(axis=0)]
-    white = white / np.linalg.norm(white, axis=0)
-    rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-10)[0]
+    expected = np.eye(drifts.shape[1])  # of each drift, in its standard deviation
+    white = np.block(
+        [[white / np.linalg.norm(white, axis=0), drifts / sigma], [np.zeros((len(expected), white.shape[1])), expected]]
+    )
+    signatures = np.vstack([signatures, np.zeros((len(expected), 2))])
+    rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-12)[0]
     gram = rest.T @ rest
     mine, rival = (outlook(prospect, effect) for effect in pair)
     found = told(mine, rival, number, TIMES.index(1))

@@ -83,6 +83,17 @@ def test_what_the_final_noise_explains_is_no_outlier() -> None:
     assert abs(told[sound].z) < 4.0
 
 
+def test_what_is_told_of_readings_beyond_all_others_is_no_extrapolation() -> None:
+    """A curve of order 12 goes anywhere beyond the targets that are left; what is expected of a machine does not."""
+    rows, values = given()[1], noise(9)
+    everything = null_of(given()[0].model, rows, values, 1e3 * SIGMA)
+    at = rows.positions[0]
+    good = at < np.sort(np.unique(at))[-4]
+    _, told = explained(everything, everything.only(good), good)
+    assert (~good).sum() == 30
+    assert max(abs(one.deviation) for one in told.values()) < 0.02
+
+
 def test_where_it_is_open_which_of_a_target_s_readings_are_spoilt_all_are_left_out() -> None:
     """Two of three in a row were spoilt, or the third: it is never left out alone. Another pass would tell."""
     rows = given()[1].only(np.arange(given()[1].size) < 9)
@@ -155,10 +166,10 @@ def test_how_runs_settle_is_found() -> None:
 
 def test_what_runs_have_of_their_own_is_fitted_and_no_more() -> None:
     found = null(noise(6))
-    own = np.concatenate([columns @ np.ones(columns.shape[1]) for columns in found.base.own])
+    own = np.concatenate([columns @ np.ones(columns.shape[1]) for columns in found.base.free])
     assert less_own(found.whitening, own) == pytest.approx(np.zeros(own.size), abs=1e-12 * np.abs(own).max())
-    left = less_own(found.whitening, found.values)
-    assert less_own(found.whitening, left) == pytest.approx(left, abs=1e-12)
+    left = less_own(found.whitening, found.values)  # what is expected of a drift holds it back each time, by a little
+    assert less_own(found.whitening, left) == pytest.approx(left, abs=1e-2 * SIGMA)
 
 
 def test_the_base_is_fitted_by_generalised_least_squares() -> None:

@@ -18,7 +18,7 @@ def test_nothing_is_named_and_the_values_are_stale() -> None:
     best = max(found.scan, key=lambda one: one.evidence)
     assert best.evidence < 0.5 * found.threshold
     drifts = [one.state for one in found.limits if one.effect.kind == "drift"]
-    assert drifts == ["unobservable"] * 30  # a creep of the three runs holds them
+    assert sorted(drifts) == ["confounded"] * 29 + ["observable"]  # three runs do not tell one from another
 
 
 def test_the_length_of_the_tool_is_what_is_stale() -> None:

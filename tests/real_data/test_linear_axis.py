@@ -66,11 +66,11 @@ def test_what_the_name_gains_lies_between_plain_least_squares_with_and_without_a
     """Nine targets: the base is a mean for each target, backlash one column beside, and the run may creep."""
     gain = diagnosis().gain
     none, lost, drifting = gained(()), gained(("backlash",)), gained(("backlash", "drift"))
-    counted = np.sqrt(90.0 / 88.0)  # the zero and the creep of the run are fitted and count
+    counted = np.sqrt(90.0 / 88.0)  # the zero of the run is fitted and counts, and so, nearly, does its creep
     assert 1e3 * gain.rms.refitted == pytest.approx(counted * none.inside, rel=0.01)
     assert drifting.inside < 1e3 * gain.rms.extended < lost.inside
     assert drifting.ahead < 1e3 * gain.held_out.extended < lost.ahead < 0.5 * 1e3 * gain.held_out.refitted
-    assert 1e3 * np.array([gain.rms.given, gain.held_out.given]) == pytest.approx([33.3, 33.7], abs=0.1)
+    assert 1e3 * np.array([gain.rms.given, gain.held_out.given]) == pytest.approx([33.15, 33.24], abs=0.1)
     assert 1e3 * np.array([gain.rms.extended, gain.held_out.extended]) == pytest.approx([3.56, 4.74], abs=0.05)
     assert 1e3 * gain.floor == pytest.approx(2.27, abs=0.05)
     assert "2 passes" in gain.split
@@ -101,7 +101,7 @@ def test_with_four_cycles_lost_motion_is_named_all_the_same() -> None:
         assert [1e3 * cause.parameters[0].value for cause in one.causes] == pytest.approx([-26.0], abs=0.6)
 
 
-@pytest.mark.parametrize(("swapped", "width", "ahead"), [(False, -24.9, 4.6), (True, 23.5, 4.43)])
+@pytest.mark.parametrize(("swapped", "width", "ahead"), [(False, -24.9, 4.6), (True, 23.5, 4.6)])
 def test_a_kind_with_a_swing_takes_the_remainder_and_gains_little_ahead(
     swapped: bool, width: float, ahead: float
 ) -> None:

@@ -31,7 +31,11 @@ from trueaxis.model.uncertainty import home_of, open_steps
 
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
+WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 PLACES = 201  # over the travel, at which a curve is looked at
+# mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
+# digit of positions; it would be free to be anything, and take up noise
+UNFELT = 1e-8
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -59,6 +63,21 @@ class Base:
     own: tuple[FloatArray, ...]
     own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
+
+    @property
+    def wide(self) -> FloatArray:
+        """(p,): standard deviation of each unknown where errors of the machine are as large as they may be."""
+        return np.where(np.arange(self.expected.size) < self.of_machine, WIDE, 1.0) * self.expected
+
+    @property
+    def free(self) -> tuple[FloatArray, ...]:
+        """(n_r, k) of every run: its own unknowns but for its drift, see `RunNoise.drifts`.
+
+        Where each target is read in both directions before the next, a drift of some hundred micrometres and a curve
+        against it come to the same as play: a drift that may be as large as that would hide it.
+        """
+        kinds = [np.array([kind.endswith(" drift") for kind in one]) for one in self.own_kinds]
+        return tuple(own[:, ~drift] for own, drift in zip(self.own, kinds, strict=True))
 
     @property
     def machine(self) -> ByRun:
@@ -136,15 +155,17 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
         np.full_like(one, one.max()) if name in rough else one
         for name, one in zip(layout.components, weights, strict=True)
     ]
-    others = np.ones(int((~chance).sum()) - sum(counts))
+    expected = np.concatenate([*weights, np.ones(int((~chance).sum()) - sum(counts))])
+    columns = everything.take(~chance)
+    unfelt = np.linalg.norm(columns.weights, axis=0) * expected < UNFELT
     return Base(
-        columns=everything.take(~chance),
+        columns=replace(columns, weights=np.where(unfelt, 0.0, columns.weights)),
         of_machine=layout.of_machine,
         rough=tuple(sorted(rough)),
         components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
         units={name: name.unit for name in layout.components}
         | {name: model.machine.parameter_unit(name) for name in layout.locations},
-        expected=np.concatenate([*weights, others]),
+        expected=expected,
         sizes=layout.sizes[~chance],
         bases=dict(zip(layout.components, layout.bases, strict=True)),
         by_chance=everything.take(chance).dense(),

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from trueaxis.diagnosis.base import Base
+from trueaxis.diagnosis.base import WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.null import Null, factored
 from trueaxis.diagnosis.result import FloatArray, IntArray
@@ -39,7 +39,6 @@ WHOLE = {  # an unknown of a run that holds what runs share besides -> the class
     "ballbar zero": "ballbar length",
     "probe zero": "probe origin",
 }
-WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 WIDER = (WIDE, 16.0, 64.0, 256.0)  # and by these where readings say so
 SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms of its factor
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ
@@ -106,10 +105,11 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     for wide in WIDER:
         deviation = np.ones(length.size)
         deviation[: null.base.of_machine] = wide * null.base.expected[: null.base.of_machine]
-        root = np.linalg.pinv(np.vstack([r, np.diag(1.0 / deviation / length)]), rcond=RANK) / length[:, np.newaxis]
+        sized = r * (deviation * length)  # in units of what is expected nothing has to be cut off
+        root = deviation[:, np.newaxis] * np.linalg.pinv(np.vstack([sized, np.eye(length.size)]))
         root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
         found, left = _beside(null, columns, q, root, values)
-        likely = _log_likelihood(q, r * (deviation * length), null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
+        likely = _log_likelihood(q, sized, null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
         if likely > most:
             best, most = found, likely
         if not found:

@@ -13,7 +13,6 @@ from scipy.special import logsumexp
 
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.gain import VAGUE
-from trueaxis.diagnosis.instruments import WIDE
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.noise_fit import UNEVEN
 from trueaxis.diagnosis.null import Null, lent
@@ -133,9 +132,8 @@ def _groups(null: Null) -> list[Group]:
 def _columns(null: Null, known: Known) -> ByRun:
     """Of all that readings vary by beside their noise, one standard deviation each."""
     base = null.base
-    wide = np.where(np.arange(base.expected.size) < base.of_machine, WIDE, 1.0) * base.expected
     free = known.signals * (VAGUE / np.maximum(np.abs(known.signals).max(axis=0, initial=0.0), 1e-300))
-    return base.columns.times(np.diag(wide)).beside(np.hstack([base.by_chance, known.besides, free]))
+    return base.columns.times(np.diag(base.wide)).beside(np.hstack([base.by_chance, known.besides, free]))
 
 
 def _without(null: Null, given_up: Group) -> Null:
@@ -144,7 +142,7 @@ def _without(null: Null, given_up: Group) -> Null:
         return null
     some = null.only(~np.isin(null.rows.run, [null.base.runs[place].rows.index for place in given_up]))
     noises, _, _ = noise_of_runs(some.rows, some.base, some.values, None, null.found)
-    return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.own)))
+    return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.free)))
 
 
 def against_others(

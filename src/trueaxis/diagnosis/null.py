@@ -113,7 +113,7 @@ def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dic
     """(n,): readings left out that the noise of those that count explains after all; and each that was, by its place,
     in standard deviations of that noise, its neighbours known. good: (n,), those that count.
     """
-    left = whole.values - whole.base.columns @ fitted(found.whitening, found.base.columns, found.values)
+    left = whole.values - whole.base.columns @ _expected(found)
     limit = float(-ndtri(0.5 * EXPECTED / max(good.size, 1)))
     back, told = np.zeros(good.size, dtype=bool), dict[int, Outlier]()
     for run, own, noise in zip(whole.base.runs, whole.base.own, lent(whole, found).whitening.runs, strict=True):
@@ -140,7 +140,7 @@ def lent(null: Null, other: Null) -> Null:
     for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
         noise = told.get(run.rows.index) or told.get(run.noise_group) or before
         noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
-    return replace(null, whitening=whitening(null.rows.run, noises, null.base.own))
+    return replace(null, whitening=whitening(null.rows.run, noises, null.base.free))
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
@@ -161,7 +161,7 @@ def _with_noise(
     rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
 ) -> Null:
     runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
-    white = whitening(rows.run, runs, base.own)
+    white = whitening(rows.run, runs, base.free)
     given = np.zeros((base.of_machine, 0))
     return Null(
         rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found, given=given
@@ -195,10 +195,20 @@ def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
     found = values.copy()
     for place, (run, own) in enumerate(zip(whiten.runs, whiten.own, strict=True)):
         here = slice(int(whiten.starts[place]), int(whiten.starts[place + 1]))
-        sized = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)
+        sized = np.column_stack([run.drift, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])
         both = run.whitened(np.column_stack([sized, values[here]]))
+        both = np.vstack([both, np.eye(1, both.shape[1])])  # what is expected of the drift
         found[here] -= sized @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
     return found
+
+
+def _expected(null: Null) -> FloatArray:
+    """(p,): coefficients of the base with what is expected of them: what nothing else tells of is not any number."""
+    q, r, size = factored(null.whitening, null.base.columns)
+    wide = null.base.wide
+    sized = np.vstack([r * (size * wide), np.eye(wide.size)])
+    asked = np.concatenate([q.transposed(null.whitening(null.values)), np.zeros(wide.size)])
+    return wide * np.asarray(np.linalg.lstsq(sized, asked, rcond=None)[0])
 
 
 def _left(null: Null, values: FloatArray) -> FloatArray:

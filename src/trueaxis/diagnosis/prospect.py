@@ -21,6 +21,7 @@ from scipy.linalg import svd
 from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.by_run import of_basis
 from trueaxis.diagnosis.menu import FurtherRun, menu
+from trueaxis.diagnosis.noise import drift_of
 from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.projection import Projection, decomposed
 from trueaxis.diagnosis.result import FloatArray
@@ -89,7 +90,7 @@ def prospect_of(ground: Ground) -> Prospect:
             known.setdefault(name, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
-    whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
+    whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.free)
     white = base.columns.whitened(whiten)
     here = white.first(len(ground.whitening.runs))
     scale = np.linalg.norm(here.weights, axis=0)
@@ -213,7 +214,8 @@ def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNois
     of_instrument = sorted(alike, key=lambda one: one.sigma)
     if not of_instrument:
         level = PROBE_MM if run.instrument == "probe" else USUAL_MM
-        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
+        usual = {"wanders": 0.0, "settles": 0.0, "drifts": drift_of(run)}
+        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, **usual)
     return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
 
 

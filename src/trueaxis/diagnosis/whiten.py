@@ -1,8 +1,9 @@
 """Readings made independent, run by run, and what nobody knows of each run's instrument taken away.
 
-Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, its creep
-in time, the slope of a straightness line, the place of a ball) are free: what is whitened has them projected out. By
-chance it also settles after the start of the run, with a standard deviation that is the same for runs of an instrument.
+Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, the slope
+of a straightness line, the place of a ball) are free: what is whitened has them projected out. By chance it also drifts
+over the run, as far as its class is known to, and wanders, and settles after the start of the run, as runs of its
+instrument do.
 """
 
 from collections.abc import Sequence
@@ -17,6 +18,7 @@ from trueaxis.estimation.noise import Whitening as OfOneRun
 
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
 MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
+AS_FREE = 1e4  # standard deviations of the noise: a drift as large is free, and a covariance still has its inverse
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
@@ -24,8 +26,8 @@ RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class RunNoise:
     """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
-    (n,), share of its duration; wanders, settles: standard deviations of its random walk, at its end, and of its
-    settling, mm.
+    (n,), share of its duration; wanders, settles, drifts: standard deviations of its random walk, at its end, of its
+    settling, and of its drift over the run, mm.
     """
 
     noise: Noise
@@ -33,6 +35,7 @@ class RunNoise:
     passed: FloatArray
     wanders: float
     settles: float
+    drifts: float
 
     @property
     def sigma(self) -> float:
@@ -46,9 +49,14 @@ class RunNoise:
 
     @property
     def chance(self) -> FloatArray:
-        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero and its drift are free."""
+        """(n, k), mm: how it drifts, settles and wanders, one standard deviation each; its zero is free."""
         settled = self.settles * settling(self.passed)
-        return np.hstack([self.wanders * wandering(self.passed), settled[:, np.newaxis]])
+        return np.column_stack([self.drift, settled, self.wanders * wandering(self.passed)])
+
+    @property
+    def drift(self) -> FloatArray:
+        """(n,), mm: one standard deviation of its drift."""
+        return min(self.drifts, AS_FREE * self.sigma) * (self.passed - 0.5)
 
     def whitened(self, columns: FloatArray) -> FloatArray:
         """(n, k) columns by the white and the slow noise alone."""

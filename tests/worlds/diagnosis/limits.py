@@ -7,7 +7,7 @@ about as often as not at lambda = 27, and told from a rival of squared correlati
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -24,6 +24,7 @@ from tests.worlds.truth import span_of
 DEGREE = 12
 DETECTION, ISOLATION = 27.0, 21.0
 RANK = 1e-5  # of the largest singular value: to show one sigma along a direction below it takes a curve of about 1 mm
+DRIFT = 1e-2  # mm, of an instrument over a run: five times the largest of the shops, and less than hides play
 NOT_SEEN = 1e-6  # share of a signature that must be left of it: less is within rounding of the flat unknowns
 CONFOUNDED = 0.95
 IMITATORS = 4  # candidates that together may imitate an effect of no kind
@@ -90,10 +91,11 @@ class Ground:
 
 
 def flat_ground(design: Design, left_out: Sequence[str] = ()) -> Ground:
-    """Every unknown of an instrument is flat; left_out: location errors that the spec does not have."""
+    """Every unknown of an instrument is flat but its drift; left_out: location errors that the spec does not have."""
     unknowns = (*every_unknown(design.machine, design.plan), *(u for u in design.shop.unknowns if u.kind == "warm_bar"))
-    own, shared = _split(design, unknowns)
-    runs = _runs(design, own, [u for u in design.shop.unknowns if u.kind == "creep"])
+    own, shared = _split(design, [u for u in unknowns if u.kind != "drift"])
+    drifts = [replace(u, spread=DRIFT) for u in unknowns if u.kind == "drift"]
+    runs = _runs(design, own, [*drifts, *(u for u in design.shop.unknowns if u.kind == "creep")])
     blank = Ground(design, runs, np.zeros((0, 0)), np.zeros((0, 0)))
     instruments = blank.white(_columns(design, shared))
     return _ground(blank, instruments, blank.white(_machine_columns(design, left_out)))
@@ -238,13 +240,15 @@ def rivals_of(ground: Ground, search: Search = COARSE) -> Rivals:
 @dataclass(frozen=True)
 class Limit:
     """strength: lambda of a signature of unit size; own: share of it that the library's own form at its best explains;
-    alike: the largest share that another candidate, the rival, explains.
+    alike: the largest share that another candidate, the rival, explains; lasting: the share without the two neighbours
+    of each run that show most of it, which any method takes for outliers.
     """
 
     strength: float
     own: float
     alike: float
     rival: Name
+    lasting: float = 1.0
 
     @property
     def r2(self) -> float:
@@ -277,7 +281,7 @@ def limit_of(ground: Ground, signature: Array, name: Name, pitch: float = 0.0) -
     if pitch:
         of_pitch = rivals_of(ground, Search(pitches=(pitch,)))
         alike, rival = max((alike, rival), of_pitch.nearest(left, name)[:2], key=lambda one: one[0])
-    return Limit(strength, max(own, 1e-12), alike, rival)
+    return Limit(strength, max(own, 1e-12), alike, rival, _lasting(ground, left))
 
 
 def limit_of_outsider(ground: Ground, signature: Array) -> Limit:
@@ -296,4 +300,12 @@ def limit_of_outsider(ground: Ground, signature: Array) -> Limit:
         unit = unit - taken @ (taken.T @ unit)
         taken = np.column_stack([taken, unit / np.linalg.norm(unit)])
         rest = left - taken @ (taken.T @ left)
-    return Limit(strength, 1.0, max(0.0, 1.0 - float(rest @ rest) / strength), first)
+    alike = max(0.0, 1.0 - float(rest @ rest) / strength)
+    return Limit(strength, 1.0, alike, first, _lasting(ground, left))
+
+
+def _lasting(ground: Ground, left: Array) -> float:
+    ends = np.cumsum([len(one.rows) for one in ground.runs])
+    parts = np.split(left**2, ends)[: len(ends)]
+    most = sum(float(np.convolve(part, [1.0, 1.0])[: max(len(part), 1)].max(initial=0.0)) for part in parts)
+    return 1.0 - most / float(left @ left)
