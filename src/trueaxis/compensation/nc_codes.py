@@ -12,6 +12,7 @@ DWELL = 40
 CANCEL_CYCLE = 800
 SURFACE_SPEED = 960  # G96
 MACHINE_COORDINATES = 530  # G53, for its block
+WITH_D = frozenset({SURFACE_SPEED, 410, 411, 420, 421})  # the largest speed; which radius, which is a fault by itself
 
 # no influence on where the axes go: cancels of what is a fault to start, path and feed modes
 HARMLESS = frozenset(
