@@ -4,6 +4,7 @@ Nothing here uses src. rs274 takes parameters and the table of tools in inches, 
 program with four decimals; here everything is in mm.
 """
 
+import math
 import re
 import subprocess
 from collections.abc import Container, Mapping, Sequence
@@ -98,6 +99,8 @@ def _made(text: str) -> list[Made]:
                 end[list(rows)] = numbers[0], numbers[1], numbers[5]
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
             made.append(Made(kind, tuple(end * unit + sum(shifts.values())), dict(modes), name == "ARC_FEED"))
+        elif name == "NURBS_FEED":  # a spline, of which rs274 does not say where it ends
+            made.append(Made("feed", (math.nan,) * 3, dict(modes), arc=True))
         elif name in _EVENTS:
             made.append(Made(f"{name}({said.replace(' ', '')})", (), dict(modes)))
         else:
