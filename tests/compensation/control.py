@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.compensation.analytic_machine import XyzMachine
-from trueaxis.compensation.files import Language, compensate_file
+from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.report import CompensationReport
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import Language, Settings
 
 FloatArray = NDArray[np.float64]
 

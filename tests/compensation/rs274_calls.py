@@ -4,6 +4,7 @@ Nothing here uses src. rs274 takes parameters and the table of tools in inches, 
 program with four decimals; here everything is in mm.
 """
 
+import math
 import re
 import subprocess
 from collections.abc import Container, Mapping, Sequence
@@ -33,6 +34,11 @@ _SWITCHES = {
 }  # fmt: skip
 
 
+def libraries_of(package: Path) -> dict[str, str]:
+    """The environment that programs of an unpacked package (or of `/`) need."""
+    return {"LD_LIBRARY_PATH": f"{package}/usr/lib:{package}/usr/lib/x86_64-linux-gnu"}
+
+
 @dataclass(frozen=True)
 class Made:
     """A motion (kind rapid or feed; end X Y Z in machine coordinates, mm; arc: whether it is one) or an event (its
@@ -46,16 +52,28 @@ class Made:
 
 
 def calls_of(
-    program: Path, folder: Path, tools: str, parameters: Mapping[int, float], skips: bool = False
-) -> list[Made]:
-    """What rs274 makes of a program; tools, parameters: as rs274 takes them, lengths in inches; skips: / blocks."""
+    program: Path, folder: Path, tools: str, parameters: Mapping[int, float], skips: bool = False,
+    package: Path = Path("/"),
+) -> list[Made]:  # fmt: skip
+    """What rs274 makes of a program; tools, parameters: as rs274 takes them, lengths in inches; skips: / blocks;
+    package: where LinuxCNC is installed or unpacked.
+    """
     folder.mkdir(exist_ok=True)
     (folder / "tool.tbl").write_text(tools)
     (folder / "rs274.var").write_text("".join(f"{n}\t{value:.9f}\n" for n, value in sorted(parameters.items())))
-    command = ["rs274", *(["-b"] if skips else []), "-g", "-t", "tool.tbl", "-v", "rs274.var", str(program.resolve())]
+    command = [
+        f"{package}/usr/bin/rs274",
+        *(["-b"] if skips else []),
+        "-g",
+        "-t",
+        "tool.tbl",
+        "-v",
+        "rs274.var",
+        str(program.resolve()),
+    ]
     done = subprocess.run(
         command, cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False, timeout=60,
-        env={"PATH": "/usr/bin:/bin", "HOME": str(folder)}, errors="replace",
+        env={"PATH": "/usr/bin:/bin", "HOME": str(folder), **libraries_of(package)}, errors="replace",
     )  # fmt: skip
     assert "PROGRAM_END" in done.stdout, done.stderr[-300:]
     return _made(done.stdout)
@@ -81,6 +99,8 @@ def _made(text: str) -> list[Made]:
                 end[list(rows)] = numbers[0], numbers[1], numbers[5]
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
             made.append(Made(kind, tuple(end * unit + sum(shifts.values())), dict(modes), name == "ARC_FEED"))
+        elif name == "NURBS_FEED":  # a spline, of which rs274 does not say where it ends
+            made.append(Made("feed", (math.nan,) * 3, dict(modes), arc=True))
         elif name in _EVENTS:
             made.append(Made(f"{name}({said.replace(' ', '')})", (), dict(modes)))
         else:

@@ -4,13 +4,13 @@ The judge is `rs274`, which src does not use: motions, modes in force, spindle, 
 source and of what is written, with the same table of tools and the same parameters.
 """
 
-import shutil
 from pathlib import Path
 
 import pytest
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.rs274_calls import INCH, PRINTED, calls_of, different
+from tests.compensation.test_via_linuxcnc import INSTALLED, PACKAGE
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offsets import read_offsets
 from trueaxis.compensation.report import CompensationReport
@@ -18,7 +18,7 @@ from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import read_tools
 from trueaxis.io.faults import InputError
 
-pytestmark = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC is not installed")
+pytestmark = pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
 
 ZERO = {"X": 300.0, "Y": -200.0, "Z": 100.0}  # of G54, mm
 TABLE = {1: (20.0, 8.0), 3: (35.0, 10.0), 7: (41.5, 25.4)}  # length and diameter, mm
@@ -51,15 +51,15 @@ def compensated(folder: Path, text: str, tools: str = "", suffix: str = ".tbl") 
         dialect="linuxcnc", offsets=read_offsets(folder / "control.var"), tools=read_tools(folder / f"tools{suffix}"),
         start=dict.fromkeys("XYZ", 0.0), pass_m=(0, 1, 6, 60),
     )  # fmt: skip
-    return compensate_file(folder / "in.ngc", folder / "out.ngc", MACHINE, settings, via_linuxcnc=Path("/"))
+    return compensate_file(folder / "in.ngc", folder / "out.ngc", MACHINE, settings, via_linuxcnc=PACKAGE)
 
 
 def check(folder: Path, text: str, scale: float = INCH, **more: str) -> None:
     """That the control does the same; scale: INCH, or 1 where numbers of the tables are read by the program."""
     report = compensated(folder, text, **more)
     assert report.good
-    source = calls_of(folder / "in.ngc", folder / "source", table(scale), parameters(scale))
-    written = calls_of(folder / "out.ngc", folder / "written", table(INCH), parameters(INCH))
+    source = calls_of(folder / "in.ngc", folder / "source", table(scale), parameters(scale), package=PACKAGE)
+    written = calls_of(folder / "out.ngc", folder / "written", table(INCH), parameters(INCH), package=PACKAGE)
     assert different(source, written, PRINTED + CORRECTED) == ""
     assert different(source, written[:-2] + written[-1:], PRINTED + CORRECTED)  # it is seen when one call is gone
 
@@ -188,11 +188,16 @@ def test_a_diameter_that_toml_does_not_say_is_not_read(tmp_path: Path) -> None:
 
 
 def test_reference_points_of_control_and_spec_are_the_same(tmp_path: Path) -> None:
-    (tmp_path / "in.ngc").write_text("G21 G90\nM2\n")
+    (tmp_path / "in.ngc").write_text("G21 G90 F100\nG1 X1 Y2 Z3\nM2\n")
     (tmp_path / "control.var").write_text("".join(f"{n}\t{v:.6f}\n" for n, v in sorted(parameters(1.0).items())))
-    settings = Settings(offsets=read_offsets(tmp_path / "control.var"), reference_points={"G28": {"X": 1.0, "Z": 0.0}})
+    settings = Settings(
+        offsets=read_offsets(tmp_path / "control.var"), reference_points={"G28": {"X": 1.0, "Z": 0.0}},
+        start=dict.fromkeys("XYZ", 0.0),
+    )  # fmt: skip
+    compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, settings, via_linuxcnc=PACKAGE)
+    (tmp_path / "in.ngc").write_text("G21 G90\nG91 G 28 Z0\nM2\n")
     with pytest.raises(InputError, match=r"Z of G28 is 300 there, and 0 in \[reference_points\] of the spec"):
-        compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, settings, via_linuxcnc=Path("/"))
+        compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, settings, via_linuxcnc=PACKAGE)
 
 
 def test_motions_in_machine_coordinates_are_not_kept(tmp_path: Path) -> None:
@@ -200,7 +205,7 @@ def test_motions_in_machine_coordinates_are_not_kept(tmp_path: Path) -> None:
     (tmp_path / "in.ngc").write_text("G21 G90\nG53 G0 Z0\nM2\n")
     with pytest.raises(InputError, match="--keep-g53: does not go with --via-linuxcnc"):
         compensate_file(
-            tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, Settings(keep_g53=True), via_linuxcnc=Path("/")
+            tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, Settings(keep_g53=True), via_linuxcnc=PACKAGE
         )
 
 

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from tests.shop_programs.grade import Grade, all_grades, different
 
-PACKAGES = ("linuxcnc-uspace", "libboost-python1.74.0")  # of Debian 12: programs and interpreter, and what it needs
+# of Debian 12: programs and interpreter, what it needs, and headers for splines
+PACKAGES = ("linuxcnc-uspace", "libboost-python1.74.0", "linuxcnc-uspace-dev")
 SUFFIXES = frozenset({".ngc", ".nc", ".gcode", ".gc", ".tap"})
 LARGEST = 3_000_000  # bytes; longer programs are left out, and counted
 

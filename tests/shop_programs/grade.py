@@ -121,18 +121,20 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
         if written.problem:
             return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
         graded = _compared(name, kind, source, written, tried)
-        if via and graded.outcome == "accepted" and (problem := _other_modes(program, out, folder)):
+        if via and graded.outcome == "accepted" and (problem := _other_modes(program, out, folder, package)):
             return replace(graded, outcome="wrong", reason=problem)
         return graded
     return Grade(name, kind, "refused", refusal)
 
 
-def _other_modes(program: Path, out: Path, folder: Path) -> str:
+def _other_modes(program: Path, out: Path, folder: Path, package: Path) -> str:
     """Which modes and calls are not those of the source, in LinuxCNC's stand-alone interpreter; empty: none."""
     values = {5220: 1.0} | {5221 + 20 * k + row: at[row] / INCH for k, at in enumerate(OFFSETS) for row in range(3)}
     values |= dict.fromkeys((*range(5161, 5170), *range(5181, 5190), *range(5210, 5220)), 0.0)
     given = tool_table(LENGTHS, INCH), values
-    source, written = (calls_of(path, folder / "rs274", *given, skips=True) for path in (program, out))
+    source, written = (
+        calls_of(path, folder / "rs274", *given, skips=True, package=package) for path in (program, out)
+    )  # fmt: skip
     cycles = any(one.modes["path"] != source[0].modes["path"] for one in source)
     silent = not re.search(r"(?i)G\s*6[14](?![0-9])", program.read_text("latin-1"))
     # where a program says no path mode, that of its first cycle stays

@@ -16,6 +16,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.compensation.rs274_calls import libraries_of
+
 CHILD = Path(__file__).with_name("canonical.py")
 SPLINES = Path(__file__).with_name("spline_motions.cc")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is built for
@@ -57,8 +59,7 @@ def tool_table(tools: Mapping[int, float], unit: float) -> str:
 
 def packages_of(package: Path) -> tuple[Path, dict[str, str]]:
     """Where the gcode module of an unpacked package (or of `/`) is, and the environment that it needs."""
-    libraries = f"{package}/usr/lib:{package}/usr/lib/x86_64-linux-gnu"
-    return package / "usr/lib/python3/dist-packages", {"LD_LIBRARY_PATH": libraries}
+    return package / "usr/lib/python3/dist-packages", libraries_of(package)
 
 
 def run(
@@ -89,7 +90,7 @@ def _run(
         values |= {5221 + 20 * k + axis: offset[axis] for k, offset in enumerate(offsets) for axis in range(3)}
         var.write_text("".join(f"{n}\t{value:.6f}\n" for n, value in sorted(values.items())))
         env = {"PATH": os.environ["PATH"], "HOME": folder, **environment}
-        preload = {"LD_PRELOAD": splines} if (splines := _splines()) else {}
+        preload = {"LD_PRELOAD": splines} if (splines := _splines(package)) else {}
         table = json.dumps([(0, 0.0, 0.0), *((tool, length, diameter_of(tool)) for tool, length in tools.items())])
         _make_tools(Path(folder), package, tools, env)
         copy = Path(folder) / "program.ngc"
@@ -112,9 +113,9 @@ def _run(
 
 
 @functools.cache
-def _splines() -> str:
+def _splines(package: Path) -> str:
     """A library that makes the motions of splines as LinuxCNC's control does; empty where it cannot be compiled."""
-    compiler, header = shutil.which("g++"), Path("/usr/include/linuxcnc/canon.hh")
+    compiler, header = shutil.which("g++"), package / "usr/include/linuxcnc/canon.hh"
     if compiler is None or not header.is_file():
         return ""
     library = Path(tempfile.mkdtemp(prefix="spline_motions")) / "spline_motions.so"

@@ -1,16 +1,15 @@
 """A compensation from file to file, and the positions that a program commands."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO, Literal, Protocol
+from typing import BinaryIO, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.apt_reader import AptReader
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import (
@@ -26,39 +25,25 @@ from trueaxis.compensation.dialects import (
 )
 from trueaxis.compensation.klartext_reader import KlartextReader
 from trueaxis.compensation.linuxcnc_blocks import Unrolled
-from trueaxis.compensation.linuxcnc_modes import PASSED
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
 from trueaxis.compensation.nc_reader import NcReader
-from trueaxis.compensation.nc_tools import IN_SPINDLE
 from trueaxis.compensation.overview import overview
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
 from trueaxis.compensation.report import Changes, CompensationReport
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.sign_check import home_of
-from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
 from trueaxis.compensation.touched_off import faults_of as touched_off_faults
-from trueaxis.compensation.via_linuxcnc import unrolled
+from trueaxis.compensation.unrolled import check_unrolled, of_source, unrolled_first
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
-
-Language = Literal["nc", "apt"]
 
 LONGEST_LINE = 65536
 _AT_ONCE = 65536  # bytes read: some thousand blocks, which is what a batch takes
 _ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
-UNROLLED = (
-    "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
-    "offsets, tool lengths and diameters that were given are in its words, and must be those of the control exactly; "
-    "its N words, and lines in this report, are lines of the source; comments but for messages are left out"
-)
-EXACT_SINCE = (
-    "the program does not say its path mode (G61, G64 P) before this cycle, which LinuxCNC drills in exact path mode: "
-    "G61 stays in force after it, as the mode and tolerance of the control are not known"
-)
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
 _APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
 _APT_LINE = re.compile(
@@ -200,8 +185,8 @@ def compensated(
     faults, notes, vouched = FaultLog(file=name), Notes(), settings.pass_m
     made: Unrolled | None = None
     if via_linuxcnc is not None:
-        _check_unrolled(settings, language)
-        made, settings = _unrolled(program, model, settings, via_linuxcnc, name, notes)
+        check_unrolled(settings, language, model)
+        made, settings = unrolled_first(program, model, settings, via_linuxcnc, name, notes)
     said, seen = settings.dialect, dialect_of(head_of(program)) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))
@@ -226,47 +211,10 @@ def compensated(
     faults.raise_if_any(overview(faults, model, said, seen))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:
-        report = _of_source(report, program, vouched)
+        report = of_source(report, program, vouched)
     if judge is not None:
         report = replace(report, reliance=judge(compensator.visited))
     return replace(report, blocks_out=0) if report.refused else report
-
-
-def _check_unrolled(settings: Settings, language: Language) -> None:
-    """Faults of what does not go with --via-linuxcnc."""
-    if language == "apt" or settings.dialect not in (None, "linuxcnc"):
-        raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
-    if settings.touched_off:
-        problem = "does not go with --via-linuxcnc, which writes machine coordinates"
-        raise InputError([Fault(TOUCHED_OFF, "", problem, "set the work offsets with compensated positions")])
-    if settings.keep_g53:
-        problem = "does not go with --via-linuxcnc, which writes all motions in machine coordinates"
-        raise InputError([Fault("--keep-g53", "", problem)])
-
-
-def _unrolled(
-    program: Path, model: ErrorModel, settings: Settings, package: Path, name: str, notes: Notes
-) -> tuple[Unrolled, Settings]:
-    """The program unrolled by LinuxCNC's interpreter, and the settings with which what comes out is read."""
-    made = unrolled(
-        program, package, settings.offsets, settings.tools, name, settings.block_delete, model.axes,
-        settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
-    )  # fmt: skip
-    notes.add(0, UNROLLED)
-    if made.exact_since:
-        notes.add(made.exact_since, EXACT_SINCE)
-    if made.tool is not None:
-        notes.add(0, IN_SPINDLE.format(made.tool))
-    passed = (*settings.pass_m, *PASSED)
-    return made, replace(settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool)
-
-
-def _of_source(report: CompensationReport, program: Path, vouched: Sequence[int]) -> CompensationReport:
-    """The report of an unrolled program: what is read is the source, its offsets are in the words; vouched: M codes
-    that the user names.
-    """
-    passed = tuple(one for one in report.passed if one.code in vouched)
-    return replace(report, blocks_in=len(program.read_bytes().splitlines()), offsets=(), passed=passed)
 
 
 def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Settings:

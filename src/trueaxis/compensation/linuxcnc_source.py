@@ -6,7 +6,7 @@ refuses to read a mark that is not there, with the line in which it happens. Lin
 """
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from trueaxis.io.faults import Fault
@@ -27,6 +27,12 @@ _GLOBAL = re.compile(r"(?i)exists[ \t]*\[[ \t]*#[ \t]*<[ \t]*(_[^<>]*)>")
 _MARK = "_trueaxis_{}_is_set"
 _TOOL_MARK = _MARK.format("tool")
 _REFUSED = re.compile(r"#<_trueaxis_(\w+)_is_set>")
+_ELSEWHERE = re.compile(r"EOF in file:\S* seeking o-word: o<(.*?)>|Failed to find sub 'O(.*?)'")
+_COMPUTED = r"G[#\[]|#[#\[]"  # codes, and numbers of parameters
+_POINTS = {"G28": re.compile(rf"(?i)G0*28(?!\d)|#0*516\d|{_COMPUTED}"),
+           "G30": re.compile(rf"(?i)G0*30(?!\d)|#0*518\d|{_COMPUTED}")}  # fmt: skip
+_OFFSETS = re.compile(r"(?i)G0*10(?!\d)|G[#\[]|#0*5(?:2[2-9]|3\d)\d=(?!=)|#[#\[][^=]*=(?!=)")
+_MAIN_AGAIN = re.compile(r"(?i)M0*99(?!\d)")
 FROM_CONTROL = "the value itself in the program"
 FROM_FILE = "set it in the program, or give the control's parameters: --offsets FILE.var"
 
@@ -82,8 +88,40 @@ def _marked(line: str, code: str, arguments: Collection[int], known: Collection[
     return "".join(pieces)
 
 
+def _blocks(source: bytes) -> Iterator[str]:
+    """The blocks without comments and blanks, which LinuxCNC does not read."""
+    for line in source.decode("latin-1").split("\n"):
+        yield re.sub(r"[ \t]", "", _COMMENTS.sub("", line))
+
+
+def may_use_point(source: bytes, code: str) -> bool:
+    """Whether a program may use the reference point of `G28` or `G30`."""
+    return any(_POINTS[code].search(block) for block in _blocks(source))
+
+
+def offset_faults(source: bytes, name: str) -> list[Fault]:
+    """Faults of blocks that may change work offsets that were touched off."""
+    problem = "may change a work offset, and --touched-off says that it was touched off"
+    return [
+        Fault(name, f"line {number}", problem, "take it out, or leave out --touched-off")
+        for number, block in enumerate(_blocks(source), 1) if _OFFSETS.search(block)
+    ]  # fmt: skip
+
+
+def end_faults(source: bytes, line: int, name: str) -> list[Fault]:
+    """Faults of the block that ends the program: M99 does not."""
+    blocks = ["", *_blocks(source)]  # 0: of no line
+    if line >= len(blocks) or not _MAIN_AGAIN.search(blocks[line]):
+        return []
+    problem = "M99 begins the main program anew, without end"
+    return [Fault(name, f"line {line}", problem, "M2 or M30; M99 ends subprograms")]
+
+
 def fault_of(name: str, line: int, refusal: str) -> Fault:
     """The fault of a program that LinuxCNC refuses in a line."""
+    if missing := _ELSEWHERE.search(refusal):
+        problem = f"subprogram O{missing[1] or missing[2]} is not in the file"
+        return Fault(name, f"line {line}", problem, "put it into the file, as on the control: O.. to M99, or O.. sub")
     mark = _REFUSED.search(refusal)
     if mark is None:
         return Fault(name, f"line {line}", f"LinuxCNC refuses the program: {refusal}")

@@ -208,7 +208,7 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
     letter = word.letter
     if letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
         meaning.length_of = int(word.value)
-    elif letter == "D" and codes.SURFACE_SPEED in meaning.codes:  # the largest speed of the spindle
+    elif letter == "D" and not codes.WITH_D.isdisjoint(meaning.codes):
         return
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(

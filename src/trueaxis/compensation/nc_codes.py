@@ -12,6 +12,7 @@ DWELL = 40
 CANCEL_CYCLE = 800
 SURFACE_SPEED = 960  # G96
 MACHINE_COORDINATES = 530  # G53, for its block
+WITH_D = frozenset({SURFACE_SPEED, 410, 411, 420, 421})  # the largest speed; which radius, which is a fault by itself
 
 # no influence on where the axes go: cancels of what is a fault to start, path and feed modes
 HARMLESS = frozenset(
@@ -99,6 +100,10 @@ _MACHINE = "write the program in machine coordinates without it before compensat
 _MOTIONS = "have its motions written out as G0, G1, G2 and G3"
 _OFFSET = Refused("gives the positions in a shifted frame", _MACHINE)
 _TOOL = Refused("shifts positions by a tool value that is not in the program", _MACHINE)
+_RADIUS = Refused(
+    "compensates the cutter's radius, which is not in the program",
+    "have the path of the cutter's centre written, or, on LinuxCNC, --via-linuxcnc with --tools",
+)
 _CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIONS)
 _PATTERN = Refused("is a hole pattern or a thread: its motions are not in the program", _MOTIONS)
 _HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
@@ -131,7 +136,7 @@ FAULTY: dict[int, Refused] = {
     330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
     370: Refused("measures the tool (Fanuc) or defines a pocket (Heidenhain)", "take it out before compensating"),
     382: _PROBE, 383: _PROBE, 384: _PROBE, 385: _PROBE,
-    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 432: _TOOL, 440: _TOOL,
+    410: _RADIUS, 411: _RADIUS, 420: _RADIUS, 421: _RADIUS, 432: _TOOL, 440: _TOOL,
     434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
     510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),
@@ -203,9 +208,8 @@ AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timin
 OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
 _SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
-_IN_PLACE = (
-    "--pass-m does not pass it; write the blocks of the subprogram in place of each call, which gets its own words"
-)
+_IN_PLACE = "write the blocks of the subprogram in place of each call, which gets its own words"
+_UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + _IN_PLACE
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _MODES = "saves or restores modes, so that later blocks read differently"
@@ -278,7 +282,8 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
         return None
     harm = HARMFUL.get(code) or HARMFUL_ON.get(dialect or "", {}).get(code)
     if harm:
-        return f"M{code} {harm}", _IN_PLACE if harm is _SUBPROGRAM else NOT_PASSED
+        remedy = _UNROLLED if dialect in (None, "linuxcnc") else _IN_PLACE
+        return f"M{code} {harm}", f"--pass-m does not pass it; {remedy}" if harm is _SUBPROGRAM else NOT_PASSED
     if code in passed:
         return None
     known = "; ".join(f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful)

@@ -35,6 +35,9 @@ class CycleError(Exception):
     """What is wrong with a block of a cycle, and the remedy."""
 
 
+Z_AND_R = "both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
+
+
 class CycleReader:
     """Reads the canned cycles of one program."""
 
@@ -126,7 +129,7 @@ class CycleReader:
             (bool(meaning.centre), f"I or J in a block of {name}", "the words of a cycle alone"),
             (bool(meaning.uncertain_codes), f"{meaning.uncertain_codes} in a block of {name}", "a block of its own"),
             (not named, f"{name} without X, Y or Z: whether it drills differs by control", "X or Y in the block"),
-            (cycle.z is None or cycle.r is None, f"{name} without Z and R", "both where the cycle begins"),
+            (cycle.z is None or cycle.r is None, f"{name} without Z and R", Z_AND_R),
             (cycle.pecks and not cycle.peck > 0.0, f"{name} without Q above 0", "the depth of a peck"),
             (repeats is None, f"L or K of {name} is no number of repeats", f"from 1 to {MOST_REPEATS}"),
             *self._kept_problems(cycle, repeats),

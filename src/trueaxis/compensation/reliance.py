@@ -47,23 +47,22 @@ class _Cells:
         if not self.keys.size:
             return self
         stays = 2 * np.count_nonzero(np.diff(self.keys)) < self.keys.size  # a while in each cell, as most programs do
-        few = self._neighbours_together() if stays else self
-        order = np.argsort(few.keys, kind="stable")
-        return _Cells(
-            keys=few.keys[order], position=columns_of(few.position, order), correction=few.correction[order],
-            low=columns_of(few.low, order), high=columns_of(few.high, order),
-        )._neighbours_together()  # fmt: skip
+        few = self._together(slice(None)) if stays else self
+        return few._together(np.argsort(few.keys, kind="stable"))
 
-    def _neighbours_together(self) -> "_Cells":
-        """With what was visited of the same cell one after another together."""
-        first = np.flatnonzero(np.diff(self.keys, prepend=self.keys[0] - 1))
-        if first.size == self.keys.size:
-            return self
-        largest = np.maximum.reduceat(self.correction, first)
-        there = np.flatnonzero(self.correction == np.repeat(largest, np.diff(first, append=self.keys.size)))
-        position = columns_of(self.position, there[np.searchsorted(there, first)])
-        low, high = np.minimum.reduceat(self.low, first, axis=1), np.maximum.reduceat(self.high, first, axis=1)
-        return _Cells(keys=self.keys[first], position=position, correction=largest, low=low, high=high)
+    def _together(self, order: slice | npt.NDArray[np.int64]) -> "_Cells":
+        """In an order, with what stands side by side of the same cell together."""
+        keys, correction = self.keys[order], self.correction[order]
+        low, high = columns_of(self.low, order), columns_of(self.high, order)
+        first = np.flatnonzero(np.diff(keys, prepend=keys[0] - 1))
+        largest = np.maximum.reduceat(correction, first)
+        there = np.flatnonzero(correction == np.repeat(largest, np.diff(first, append=keys.size)))
+        chosen = there[np.searchsorted(there, first)]
+        return _Cells(
+            keys=keys[first], correction=largest,
+            position=columns_of(self.position, chosen if isinstance(order, slice) else order[chosen]),
+            low=np.minimum.reduceat(low, first, axis=1), high=np.maximum.reduceat(high, first, axis=1),
+        )  # fmt: skip
 
     def and_later(self, later: "_Cells") -> "_Cells":
         """Together with what was visited later."""
@@ -112,10 +111,12 @@ class Visited:
         while (parts := self._parts(way)).sum() > MOST_SAMPLES and self._each > 1:
             self._halve()
         if parts.max() > 1:
-            source = np.repeat(np.arange(parts.size), parts)
-            share = (np.arange(source.size) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[source]
-            way, corrections = columns_of(way, source), np.where(share == 0.0, corrections[source], 0.0)
-            positions, way = columns_of(positions, source) - share * way, way / parts[source]
+            begin = np.cumsum(parts) - parts
+            share = (np.arange(parts.sum()) - np.repeat(begin, parts)) / np.repeat(parts, parts)
+            ends, corrections = corrections, np.zeros(share.size)
+            corrections[begin] = ends
+            positions = np.repeat(positions, parts, axis=1) - share * np.repeat(way, parts, axis=1)
+            way = np.repeat(way / parts, parts, axis=1)
         self._note(positions, way, corrections)
         while self._cells.keys.size > MOST_CELLS:
             self._halve()
@@ -127,14 +128,12 @@ class Visited:
 
     def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
         """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
+        before = positions - step
         place = np.clip(((positions - self._low) / self._travel * self._each).astype(np.int64), 0, self._each - 1)
         found = _Cells(
-            keys=self._strides @ place,
-            position=positions,
-            correction=corrections,
-            low=np.minimum(positions, positions - step),
-            high=np.maximum(positions, positions - step),
-        )
+            keys=self._strides @ place, position=positions, correction=corrections,
+            low=np.minimum(positions, before), high=np.maximum(positions, before),
+        )  # fmt: skip
         self._cells = self._cells.and_later(found.each_once())
 
     def _halve(self) -> None:

@@ -37,7 +37,9 @@ class Words:
 
     def texts(self, place: int) -> tuple[Characters, Segment]:
         """The characters of all words, and where each is; place: where they begin in the store."""
-        size = np.abs(self.counts)
+        named = np.flatnonzero(self.named)
+        counts = self.counts[named]
+        size = np.abs(counts)
         most = int(size.max(initial=0))
         width = max(len(str(most)), self.decimals + 1) + _BEFORE + 1
         table = np.empty((size.size, width), dtype=np.uint8)
@@ -53,14 +55,15 @@ class Words:
             rest = before
         first += np.arange(0, table.size, width)
         flat = table.reshape(-1)
-        negative = np.flatnonzero(self.counts < 0)
+        negative = np.flatnonzero(counts < 0)
         first[negative] -= 1
         flat[first[negative]] = ord("-")
         flat[first - 1] = ord(self.letter)
         flat[first - 2] = ord(" ")
-        begin = first - 1 - self.blank
-        end = np.arange(width, table.size + 1, width)
-        return flat, (begin + place, np.where(self.named, end - begin, 0))
+        begin, length = np.zeros((2, self.named.size), dtype=np.int64)
+        begin[named] = first - 1 - self.blank[named]
+        length[named] = np.arange(width, table.size + 1, width) - begin[named]
+        return flat, (begin + place, length)
 
 
 def put_together(store: Sequence[Characters], segments: Sequence[Segment]) -> str:

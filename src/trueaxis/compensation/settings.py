@@ -17,6 +17,7 @@ Arcs = Literal["keep", "chords"]
 BlockDelete = Literal["fault", "run", "skip"]
 Dialect = Literal["fanuc", "linuxcnc", "siemens", "heidenhain"]
 Integers = Literal["mm", "least-increment"]
+Language = Literal["nc", "apt"]
 
 MM_PER_INCH = 25.4
 _MOST = {

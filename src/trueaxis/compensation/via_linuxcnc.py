@@ -21,8 +21,16 @@ from typing import Any
 
 from trueaxis.compensation.linuxcnc_blocks import AXES, SAME, UNCERTAIN, Motion, Unrolled, unrolled_program
 from trueaxis.compensation.linuxcnc_modes import Call
-from trueaxis.compensation.linuxcnc_source import Source, control_faults, fault_of, marked_source
+from trueaxis.compensation.linuxcnc_source import (
+    Source,
+    control_faults,
+    end_faults,
+    fault_of,
+    marked_source,
+    may_use_point,
+)
 from trueaxis.compensation.linuxcnc_state import Round, known_parameters, point_faults, rounds_of
+from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width
 from trueaxis.compensation.settings import BlockDelete
 from trueaxis.compensation.tools import Tool, ToolTable
@@ -88,7 +96,8 @@ def unrolled(
         rounds = [_run(one, task, here, env) for one in three]
         _check_rounds(rounds, lambda: _run(by_diameter, task, here, env), name)
     _check_diameters(rounds[0], source, of_number, name)
-    _check_offsets(rounds[0], offsets, name)
+    _check_offsets(rounds[0], offsets, axes, name)
+    _check_end(rounds[0], given, name)
     try:
         return unrolled_program(_made(rounds), of_number, axes, kept)
     except ValueError as problem:
@@ -100,7 +109,8 @@ def _check_given(
     source: bytes, name: str, block_delete: BlockDelete, offsets: Offsets, points: Mapping[str, Mapping[str, float]]
 ) -> None:
     """Faults of what is not known before the program runs."""
-    faults = [*control_faults(source, name), *point_faults(offsets, points)]
+    used = {code: point for code, point in points.items() if may_use_point(source, code)}
+    faults = [*control_faults(source, name), *point_faults(offsets, used)]
     optional = _OPTIONAL.search(source)
     if optional and block_delete == "fault":
         line = source.count(b"\n", 0, optional.start()) + 1
@@ -112,7 +122,14 @@ def _check_given(
         raise InputError(faults)
 
 
-def _check_offsets(records: Sequence[Record], offsets: Offsets, name: str) -> None:
+def _check_end(records: Sequence[Record], source: bytes, name: str) -> None:
+    """A fault of a main program that has no end."""
+    ends = [record[1] for record in records if record[0] == "call" and record[2] == "PROGRAM_END"]
+    if ends and (faults := end_faults(source, ends[-1], name)):
+        raise InputError(faults)
+
+
+def _check_offsets(records: Sequence[Record], offsets: Offsets, axes: Sequence[str], name: str) -> None:
     """Faults of offsets that are not known exactly: what is written has them in its words."""
     used: dict[str, int] = {}  # with the line of the first motion under each
     active = offsets.first or "G54"
@@ -121,11 +138,13 @@ def _check_offsets(records: Sequence[Record], offsets: Offsets, name: str) -> No
             active = NUMBERED[int(more[1]) - 1]
         elif kind in _MOTIONS and line:
             used.setdefault(active, line)
-    faults = [
-        Fault(name, f"line {line}", f"{system}: where its zero is is not known",
-              f"say --offset {system}=X..,Y..,Z.., exactly")
-        for system, line in sorted(used.items()) if system not in offsets.systems
-    ]  # fmt: skip
+    linear, faults = [axis for axis in axes if axis in LINEAR], []
+    for system, line in sorted(used.items()):
+        given = offsets.systems.get(system, {})
+        if missing := [axis for axis in linear if axis not in given]:
+            named = f"{system} {' '.join(missing)}" if given else system
+            problem, remedy = f"{named}: where its zero is is not known", f"say --offset {system}=X..,Y..,Z.., exactly"
+            faults.append(Fault(name, f"line {line}", problem, remedy))
     if any(half_width(values) for system in used for values in offsets.systems.get(system, {}).values()):
         faults.append(Fault("--offset", "", "a range does not go with --via-linuxcnc", "the value itself"))
     if faults:

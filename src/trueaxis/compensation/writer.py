@@ -69,19 +69,22 @@ class BlockWriter:
             held_start = (np.abs(previous - starts) < _HOLDS).all(axis=0)
         all_unchanged = held_end & (absolute | held_start)
         pieces = np.bincount(owner, minlength=len(moves))
+        edges = [0, *np.cumsum(pieces).tolist()]
         out = []
-        move_number = place = 0
+        move_number = 0
         for item in moves.items:
             count = item.count if isinstance(item, PlainRun) else 1
             of_item = pieces[move_number : move_number + count]
-            whole = slice(place, place + int(of_item.sum()))
+            whole = slice(edges[move_number], edges[move_number + count])
             counts, stay, unchanged = all_counts[:, whole], stays[:, whole], all_unchanged[whole]
-            of_arcs = arcs.some(np.arange(*np.searchsorted(arcs.at, [whole.start, whole.stop])))
+            of_arcs = arcs
+            if arcs.at.size:
+                of_arcs = arcs.some(np.arange(*np.searchsorted(arcs.at, [whole.start, whole.stop])))
             if isinstance(item, PlainRun):
-                of_arcs = of_arcs._replace(at=of_arcs.at - place)
+                of_arcs = of_arcs._replace(at=of_arcs.at - whole.start)
                 blocks = RunBlocks(
                     run=item, pieces=of_item, counts=counts * self._units[item.inch], stay=stay, unchanged=unchanged,
-                    cut=of_item > 1,                    arcs=of_arcs,
+                    cut=of_item > 1, arcs=of_arcs,
                 )  # fmt: skip
                 out.append(blocks.text(self._axes, self._digits[item.inch], self._steps[item.inch]))
             elif count == of_item[0] and not of_arcs.at.size:
@@ -89,7 +92,7 @@ class BlockWriter:
             else:
                 centres = [self._centre(item, of_arcs, block) for block in range(whole.start, whole.stop)]
                 out.append(self._several(item, counts.T.tolist(), stay.T.tolist(), shares[whole], centres))
-            move_number, place = move_number + count, whole.stop
+            move_number += count
         return out
 
     def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:

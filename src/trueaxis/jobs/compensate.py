@@ -12,11 +12,11 @@ import numpy as np
 import numpy.typing as npt
 import polars as pl
 
-from trueaxis.compensation.files import Language, compensated
+from trueaxis.compensation.files import compensated
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.report import Changes, CompensationReport
-from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.tools import ToolTable
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
