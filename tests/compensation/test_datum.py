@@ -256,8 +256,8 @@ def test_by_the_command(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> No
     assert "G53 G0 Z555.\n" in (tmp_path / "out.nc").read_text()
     with pytest.raises(SystemExit):
         command(tmp_path, program, *offset, "--touched-off", "G77")
-    with pytest.raises(InputError, match="--touched-off: does not go with --via-linuxcnc"):
-        command(tmp_path, program, *offset, "--touched-off", "G54", "--via-linuxcnc")
+    with pytest.raises(InputError, match="--keep-g53: does not go with --via-linuxcnc"):
+        command(tmp_path, program, *offset, "--keep-g53", "--via-linuxcnc")
 
 
 def test_what_it_relies_on_counts_from_the_datum(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:

@@ -26,13 +26,13 @@ def fetch(folder: Path) -> None:
         subprocess.run(["dpkg-deb", "-x", archive.name, "."], cwd=folder, check=True)
 
 
-def table(grades: list[Grade], left_out: int) -> str:
+def table(grades: list[Grade], too_long: int) -> str:
     """What became of the programs, by kind; then why those that are refused are, and what is wrong."""
     rows = ["| programs | number | accepted | refused | wrong |", "|---|---|---|---|---|"]
     for kind, number in Counter(grade.kind for grade in grades).most_common():
         count = Counter(grade.outcome for grade in grades if grade.kind == kind)
         rows.append(f"| {kind} | {number} | {count['accepted']} | {count['refused']} | {count['wrong']} |")
-    rows.append(f"\n{left_out} programs above {LARGEST} bytes left out\n")
+    rows.append(f"\n{too_long} programs above {LARGEST} bytes left out\n")
     accepted = [grade for grade in grades if grade.outcome == "accepted"]
     if accepted:
         after, before = (1000 * max(getattr(g, stage) for g in accepted) for stage in ("after", "before"))
@@ -63,7 +63,8 @@ def main() -> None:
         return
     paths = {path for folder in args.folders for path in folder.rglob("*")}
     found = sorted(path for path in paths if path.suffix.lower() in SUFFIXES and path.is_file())
-    short = different([path for path in found if path.stat().st_size <= LARGEST])
+    within = [path for path in found if path.stat().st_size <= LARGEST]
+    short = different(within)
     if args.share < 1.0:
         short = sorted(random.Random(args.seed).sample(short, round(args.share * len(short))))
     grades = []
@@ -73,7 +74,7 @@ def main() -> None:
             if args.json is not None:
                 with args.json.open("a") as file:
                     file.write(json.dumps(asdict(one)) + "\n")
-    print(table(grades, len(found) - len(short)))
+    print(table(grades, len(found) - len(within)))
 
 
 if __name__ == "__main__":

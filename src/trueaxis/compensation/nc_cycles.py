@@ -125,6 +125,7 @@ class CycleReader:
         problems = (
             (not {"X", "Y", "Z"} <= state.row.keys(), f"{name} on a machine without X, Y and Z", "write it out"),
             (state.feed_mode == "time", f"{name} under G93", "G94"),
+            (meaning.in_machine_coordinates, f"{name} in a block with G53", "the words of a cycle alone"),
             (bool(set(meaning.axes) - set("XYZ")), f"{name} with a rotary axis", "turn it in a block before"),
             (bool(meaning.centre), f"I or J in a block of {name}", "the words of a cycle alone"),
             (bool(meaning.uncertain_codes), f"{meaning.uncertain_codes} in a block of {name}", "a block of its own"),

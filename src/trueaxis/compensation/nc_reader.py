@@ -184,7 +184,7 @@ class NcReader:
             state.in_force = meaning.motion
         if meaning.complaints:
             return [line]
-        if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates:
+        if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates or meaning.cycle is not None:
             self._faults.add(number, "axis words that are data, and a motion, in one block", "make it two blocks")
             return [line]
         if meaning.data_code == codes.GIVE_LENGTH:
