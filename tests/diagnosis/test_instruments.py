@@ -9,9 +9,9 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.base import WIDE, base_of
 from trueaxis.diagnosis.extend import named_effects, start_values
-from trueaxis.diagnosis.instruments import WIDE, Off, _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.instruments import Off, _chance, _Unknown, instruments_off
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.signature import readings_of

@@ -208,7 +208,7 @@ def _expected(null: Null) -> FloatArray:
     wide = null.base.wide
     sized = np.vstack([r * (size * wide), np.eye(wide.size)])
     asked = np.concatenate([q.transposed(null.whitening(null.values)), np.zeros(wide.size)])
-    return wide * np.asarray(np.linalg.lstsq(sized, asked, rcond=None)[0])
+    return np.asarray(wide * np.linalg.lstsq(sized, asked, rcond=None)[0])
 
 
 def _left(null: Null, values: FloatArray) -> FloatArray:
