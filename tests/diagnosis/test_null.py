@@ -9,7 +9,7 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.null import Null, explained, fitted, less_own, null_of, undecided
+from trueaxis.diagnosis.null import Null, expected_root, explained, fitted, less_own, null_of, undecided
 from trueaxis.diagnosis.result import IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import SETTLED
@@ -170,6 +170,18 @@ def test_what_runs_have_of_their_own_is_fitted_and_no_more() -> None:
     assert less_own(found.whitening, own) == pytest.approx(np.zeros(own.size), abs=1e-12 * np.abs(own).max())
     left = less_own(found.whitening, found.values)  # what is expected of a drift holds it back each time, by a little
     assert less_own(found.whitening, left) == pytest.approx(left, abs=1e-2 * SIGMA)
+
+
+def test_an_unknown_that_hardly_any_reading_feels_takes_nothing_from_the_others() -> None:
+    """The posterior by the normal equations, without it: its column is 1e-15 of the others."""
+    columns = 1e4 * np.random.default_rng(3).normal(size=(40, 6))
+    columns[:, 2] = 1e-11
+    r = np.linalg.qr(columns, mode="r")
+    others = np.arange(6) != 2
+    root = expected_root(r)
+    expected = np.linalg.inv(columns[:, others].T @ columns[:, others] + np.eye(5))
+    assert (root @ root.T)[np.ix_(others, others)] == pytest.approx(expected, rel=1e-6, abs=1e-16)
+    assert (root @ root.T)[2, 2] == pytest.approx(1.0)
 
 
 def test_the_base_is_fitted_by_generalised_least_squares() -> None:

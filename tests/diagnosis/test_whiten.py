@@ -10,25 +10,24 @@ from trueaxis.diagnosis.whiten import RunNoise, Whitening, wandering, whitening
 from trueaxis.estimation.noise import Noise
 
 NOISES = {
-    "white": (Noise(3e-4), 0.0, 0.0),
-    "slow": (Noise(3e-4, 2e-4, 4.5), 0.0, 0.0),
-    "settling": (Noise(3e-4), 5e-4, 0.0),
-    "everything": (Noise(3e-4, 2e-4, 4.5), 5e-4, 7e-4),
+    "white": (Noise(3e-4), 0.0, 0.0, 0.0),
+    "slow": (Noise(3e-4, 2e-4, 4.5), 0.0, 0.0, 0.0),
+    "settling": (Noise(3e-4), 5e-4, 0.0, 0.0),
+    "drifting": (Noise(3e-4), 0.0, 0.0, 1e-2),
+    "everything": (Noise(3e-4, 2e-4, 4.5), 5e-4, 7e-4, 1e-2),
 }
 
 
 def run_of(name: str, size: int, seed: int = 0) -> RunNoise:
     """At uneven times."""
-    noise, settles, wanders = NOISES[name]
+    noise, settles, wanders, drifts = NOISES[name]
     steps = np.random.default_rng(seed).uniform(0.5, 1.5, size)
-    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, wanders)
+    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, wanders, drifts)
 
 
 def own_of(size: int, seed: int = 0) -> FloatArray:
-    """Zero, creep and a course of no particular shape."""
-    return np.stack(
-        [np.ones(size), np.linspace(-0.5, 0.5, size), np.random.default_rng(seed).normal(size=size)], axis=1
-    )
+    """Zero and two courses of no particular shape."""
+    return np.column_stack([np.ones(size), np.random.default_rng(seed).normal(size=(size, 2))])
 
 
 def whitening_of(*sizes: int) -> Whitening:
@@ -126,3 +125,20 @@ def test_a_walk_less_its_zero_and_its_drift_is_a_brownian_bridge() -> None:
     walk = wandering(passed)
     expected = np.minimum.outer(passed, passed) - np.outer(passed, passed)
     assert walk @ walk.T == pytest.approx(expected, abs=0.012)
+
+
+def test_play_of_targets_read_in_both_directions_at_once_is_no_drift() -> None:
+    """A drift of 0.1 mm and a curve against it come to the same as play, reading by reading; one of 10 um does not."""
+    targets = 11
+    at, play = np.repeat(np.arange(targets), 2), np.tile([2.5e-3, -2.5e-3], targets)
+    curve = np.eye(targets)[at]
+    seen = []
+    for drifts in (1e-2, 1e3):
+        run = run_noise(Noise(3e-4), np.ones(at.size), np.linspace(0.0, 1.0, at.size), drifts=drifts)
+        white = whitening(np.zeros(at.size, dtype=np.int64), [run], [np.ones((at.size, 1))])
+        left, free = white(play), white(curve)
+        rest = left - free @ np.linalg.lstsq(free, left, rcond=1e-9)[0]
+        seen.append(float(rest @ rest))
+    expected, unlimited = seen
+    assert unlimited < 1.0
+    assert expected > 25.0

@@ -18,11 +18,12 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
-from trueaxis.estimation.instruments import SharedUnknown, own_kinds
+from trueaxis.estimation.instruments import CLASSES, SharedUnknown, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.measurement.instrument_kinds import ARM
 from trueaxis.model.bases import LegendreBasis
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
@@ -32,6 +33,7 @@ from trueaxis.model.uncertainty import home_of, open_steps
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
 WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
+PER_UNIT = {"mm": 1.0, "rad": ARM}  # mm of a reading per unit of what is unknown of an instrument
 PLACES = 201  # over the travel, at which a curve is looked at
 # mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
 # digit of positions; it would be free to be anything, and take up noise
@@ -64,20 +66,27 @@ class Base:
     own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
 
-    @property
-    def wide(self) -> FloatArray:
-        """(p,): standard deviation of each unknown where errors of the machine are as large as they may be."""
-        return np.where(np.arange(self.expected.size) < self.of_machine, WIDE, 1.0) * self.expected
+    def wide(self, times: float = WIDE) -> FloatArray:
+        """(p,): standard deviation of each unknown, in its unit, where errors of the machine may be so many times what
+        is expected of them.
+        """
+        return np.where(np.arange(self.expected.size) < self.of_machine, times, 1.0) * self.expected
 
     @property
     def free(self) -> tuple[FloatArray, ...]:
-        """(n_r, k) of every run: its own unknowns but for its drift, see `RunNoise.drifts`.
+        """(n_r, k) of every run: its own unknowns but for its drift.
 
         Where each target is read in both directions before the next, a drift of some hundred micrometres and a curve
         against it come to the same as play: a drift that may be as large as that would hide it.
         """
-        kinds = [np.array([kind.endswith(" drift") for kind in one]) for one in self.own_kinds]
-        return tuple(own[:, ~drift] for own, drift in zip(self.own, kinds, strict=True))
+        kept = ([not CLASSES[kind].drift for kind in kinds] for kinds in self.own_kinds)
+        return tuple(own[:, some] for own, some in zip(self.own, kept, strict=True))
+
+    @property
+    def drifts(self) -> tuple[float, ...]:
+        """Of every run, mm: one standard deviation of its drift, as large as the factor of its class allows."""
+        known = ([CLASSES[kind] for kind in kinds] for kinds in self.own_kinds)
+        return tuple(sum(one.size * one.factor * PER_UNIT[one.unit] for one in of if one.drift) for of in known)
 
     @property
     def machine(self) -> ByRun:

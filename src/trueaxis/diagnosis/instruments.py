@@ -13,7 +13,7 @@ from scipy.special import ndtr
 
 from trueaxis.diagnosis.base import WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
-from trueaxis.diagnosis.null import Null, factored
+from trueaxis.diagnosis.null import Null, expected_root, factored
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.whiten import RANK
 from trueaxis.effects.kind import Effect
@@ -103,10 +103,9 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     q, r, length = factored(null.whitening, columns)
     best, most = tuple[Off, ...](), -np.inf
     for wide in WIDER:
-        deviation = np.ones(length.size)
-        deviation[: null.base.of_machine] = wide * null.base.expected[: null.base.of_machine]
-        sized = r * (deviation * length)  # in units of what is expected nothing has to be cut off
-        root = deviation[:, np.newaxis] * np.linalg.pinv(np.vstack([sized, np.eye(length.size)]))
+        deviation = np.concatenate([null.base.wide(wide), np.ones(null.base.by_chance.shape[1])])
+        sized = r * (deviation * length)
+        root = deviation[:, np.newaxis] * expected_root(sized)
         root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
         found, left = _beside(null, columns, q, root, values)
         likely = _log_likelihood(q, sized, null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)

@@ -133,7 +133,7 @@ def _columns(null: Null, known: Known) -> ByRun:
     """Of all that readings vary by beside their noise, one standard deviation each."""
     base = null.base
     free = known.signals * (VAGUE / np.maximum(np.abs(known.signals).max(axis=0, initial=0.0), 1e-300))
-    return base.columns.times(np.diag(base.wide)).beside(np.hstack([base.by_chance, known.besides, free]))
+    return base.columns.times(np.diag(base.wide())).beside(np.hstack([base.by_chance, known.besides, free]))
 
 
 def _without(null: Null, given_up: Group) -> Null:

@@ -16,12 +16,9 @@ from trueaxis.diagnosis.noise_fit import Found, Guess, Law, restricted
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RunNoise
-from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import SMALLEST
-from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.state import DISPLAY
-from trueaxis.measurement.instrument_kinds import ARM
 
 FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
@@ -49,6 +46,7 @@ def noise_of_runs(
     scales = np.ones(len(groups)) if fit is None else fit.scales
     found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
+    drifts = base.drifts
     for name in names:
         members = [place for place, one in enumerate(groups) if one == name]
         at = np.concatenate([base.runs[place].rows.at for place in members])
@@ -81,17 +79,9 @@ def noise_of_runs(
                 passed=run.passed,
                 wanders=law.wanders,
                 settles=law.settles,
-                drifts=drift_of(base.runs[place]),
+                drifts=drifts[place],
             )
     return tuple(found[place] for place in range(len(groups))), tuple(told), fit
-
-
-def drift_of(run: MeasuredRun) -> float:
-    """mm: by how much the instrument of a run may drift over it, one standard deviation, if it is as far from what its
-    class does as instruments are.
-    """
-    known = CLASSES[f"{run.instrument} drift"]
-    return known.size * known.factor * (ARM if known.unit == "rad" else 1.0)
 
 
 def _guess(blocks: Sequence[Block], groups: Sequence[str], name: str) -> Guess:

@@ -191,7 +191,7 @@ def factored(whiten: Whitening, columns: ByRun) -> tuple[ByRun, FloatArray, Floa
 
 
 def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
-    """(n,), mm: values less what the unknowns of each run's instrument make of them."""
+    """(n,), mm: values less what the unknowns of each run's instrument make of them, its drift as it is expected."""
     found = values.copy()
     for place, (run, own) in enumerate(zip(whiten.runs, whiten.own, strict=True)):
         here = slice(int(whiten.starts[place]), int(whiten.starts[place + 1]))
@@ -205,10 +205,16 @@ def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
 def _expected(null: Null) -> FloatArray:
     """(p,): coefficients of the base with what is expected of them: what nothing else tells of is not any number."""
     q, r, size = factored(null.whitening, null.base.columns)
-    wide = null.base.wide
-    sized = np.vstack([r * (size * wide), np.eye(wide.size)])
-    asked = np.concatenate([q.transposed(null.whitening(null.values)), np.zeros(wide.size)])
-    return np.asarray(wide * np.linalg.lstsq(sized, asked, rcond=None)[0])
+    wide, inside = null.base.wide(), q.transposed(null.whitening(null.values))
+    return np.asarray(wide * (expected_root(r * (size * wide))[:, : inside.size] @ inside))
+
+
+def expected_root(sized: FloatArray) -> FloatArray:
+    """(p, 2 p): a root of the covariance of unknowns in units of what is expected of each, once the readings have had
+    their say; its first p columns times what these ask for are the unknowns. sized: (p, p), `factored` columns times
+    what is expected. In these units nothing has to be cut off for rounding.
+    """
+    return np.linalg.pinv(np.vstack([sized, np.eye(sized.shape[1])]))
 
 
 def _left(null: Null, values: FloatArray) -> FloatArray:

@@ -21,7 +21,6 @@ from scipy.linalg import svd
 from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.by_run import of_basis
 from trueaxis.diagnosis.menu import FurtherRun, menu
-from trueaxis.diagnosis.noise import drift_of
 from trueaxis.diagnosis.of_plan import Placed
 from trueaxis.diagnosis.projection import Projection, decomposed
 from trueaxis.diagnosis.result import FloatArray
@@ -89,7 +88,8 @@ def prospect_of(ground: Ground) -> Prospect:
         for name in {readings.rows.runs[run].instrument, groups[run]}:
             known.setdefault(name, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
-    ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
+    new = slice(len(ground.whitening.runs), None)
+    ahead = [_noise(*one, known) for one in zip(base.runs[new], base.drifts[new], strict=True)]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.free)
     white = base.columns.whitened(whiten)
     here = white.first(len(ground.whitening.runs))
@@ -208,15 +208,15 @@ def _contexts(one: Context, other: Context) -> Context:
     return Context(**both, home=home)
 
 
-def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
+def _noise(run: MeasuredRun, drifts: float, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
     """As that of other runs of the group (`noise_groups`), else of the instrument, or as usual."""
+    steps, passed = run.rows.steps, run.rows.passed
     alike = known.get(run.noise_group) or known.get(run.instrument, [])
     of_instrument = sorted(alike, key=lambda one: one.sigma)
     if not of_instrument:
-        level = PROBE_MM if run.instrument == "probe" else USUAL_MM
-        usual = {"wanders": 0.0, "settles": 0.0, "drifts": drift_of(run)}
-        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, **usual)
-    return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
+        noise = Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM)
+        return RunNoise(noise=noise, steps=steps, passed=passed, wanders=0.0, settles=0.0, drifts=drifts)
+    return replace(of_instrument[len(of_instrument) // 2], steps=steps, passed=passed, drifts=drifts)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:

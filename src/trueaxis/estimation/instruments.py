@@ -53,7 +53,8 @@ Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 class UnknownClass:
     """A class of unknowns of instruments. size: one standard deviation in its unit, before the data have their say;
     factor: by what the size may be wrong, one standard deviation; of_point: three unknowns, along or about x, y and z,
-    that belong to a point of the set-up; zero: whether it is what the readings of a run are counted from.
+    that belong to a point of the set-up; zero, drift: whether it is what the readings of a run are counted from, or
+    what they creep by over the run.
     """
 
     name: str
@@ -62,6 +63,7 @@ class UnknownClass:
     factor: float = SET_UP_FACTOR
     of_point: bool = False
     zero: bool = False
+    drift: bool = False
 
 
 CLASSES: Mapping[str, UnknownClass] = {
@@ -69,19 +71,19 @@ CLASSES: Mapping[str, UnknownClass] = {
     for one in (
         # of single runs
         UnknownClass(name="laser zero", unit="mm", size=3e-3, zero=True),
-        UnknownClass(name="laser drift", unit="mm", size=1e-3),
+        UnknownClass(name="laser drift", unit="mm", size=1e-3, drift=True),
         UnknownClass(name="straightness zero", unit="mm", size=0.1, zero=True),
         UnknownClass(name="straightness slope", unit="rad", size=50e-6),
-        UnknownClass(name="straightness drift", unit="mm", size=1e-3),
+        UnknownClass(name="straightness drift", unit="mm", size=1e-3, drift=True),
         UnknownClass(name="probe zero", unit="mm", size=3e-3, zero=True),
-        UnknownClass(name="probe drift", unit="mm", size=1e-3),
+        UnknownClass(name="probe drift", unit="mm", size=1e-3, drift=True),
         # an autocollimator or a level is read where it stands; optics are set to zero, and creep by air and bench
         UnknownClass(name="angle zero", unit="rad", size=3e-6, zero=True),
-        UnknownClass(name="angle drift", unit="rad", size=1e-6),
+        UnknownClass(name="angle drift", unit="rad", size=1e-6, drift=True),
         UnknownClass(name="displacement zero", unit="mm", size=3e-3, zero=True),
-        UnknownClass(name="displacement drift", unit="mm", size=0.5e-3),
+        UnknownClass(name="displacement drift", unit="mm", size=0.5e-3, drift=True),
         UnknownClass(name="ballbar zero", unit="mm", size=2e-3, zero=True),
-        UnknownClass(name="ballbar drift", unit="mm", size=1e-3),
+        UnknownClass(name="ballbar drift", unit="mm", size=1e-3, drift=True),
         UnknownClass(name="ballbar centre of a run", unit="mm", size=2e-3, of_point=True),
         # of several runs
         UnknownClass(name="ballbar centre", unit="mm", size=50e-3, of_point=True),

@@ -24,7 +24,7 @@ from tests.worlds.truth import span_of
 DEGREE = 12
 DETECTION, ISOLATION = 27.0, 21.0
 RANK = 1e-5  # of the largest singular value: to show one sigma along a direction below it takes a curve of about 1 mm
-DRIFT = 1e-2  # mm, of an instrument over a run: five times the largest of the shops, and less than hides play
+DRIFT = 1e-2  # mm, of an instrument over a run, one standard deviation: five times the largest of the shops
 NOT_SEEN = 1e-6  # share of a signature that must be left of it: less is within rounding of the flat unknowns
 CONFOUNDED = 0.95
 IMITATORS = 4  # candidates that together may imitate an effect of no kind
@@ -241,7 +241,7 @@ def rivals_of(ground: Ground, search: Search = COARSE) -> Rivals:
 class Limit:
     """strength: lambda of a signature of unit size; own: share of it that the library's own form at its best explains;
     alike: the largest share that another candidate, the rival, explains; lasting: the share without the two neighbours
-    of each run that show most of it, which any method takes for outliers.
+    of each run that show most of it, which are taken for outliers.
     """
 
     strength: float
@@ -305,7 +305,7 @@ def limit_of_outsider(ground: Ground, signature: Array) -> Limit:
 
 
 def _lasting(ground: Ground, left: Array) -> float:
+    """Share of the squares of left (n,) that is not of the two neighbours of each run with the largest ones."""
     ends = np.cumsum([len(one.rows) for one in ground.runs])
     parts = np.split(left**2, ends)[: len(ends)]
-    most = sum(float(np.convolve(part, [1.0, 1.0])[: max(len(part), 1)].max(initial=0.0)) for part in parts)
-    return 1.0 - most / float(left @ left)
+    return 1.0 - sum(float(np.convolve(part, [1.0, 1.0]).max()) for part in parts) / float(left @ left)

@@ -11,7 +11,7 @@ from tests.hidden_effects.power.grade import Name
 from tests.worlds.design import Design
 from tests.worlds.diagnosis.cases import Bench, Case, bench_of, draw_case
 from tests.worlds.diagnosis.library import Candidate, candidates, fine
-from tests.worlds.diagnosis.limits import CONFOUNDED, DEGREE, DETECTION, ISOLATION, RANK, limit_of
+from tests.worlds.diagnosis.limits import CONFOUNDED, DEGREE, DETECTION, ISOLATION, RANK, _lasting, limit_of
 from tests.worlds.diagnosis.signatures import largest, pitch_of, signature
 from tests.worlds.effects import Effect
 from tests.worlds.machine import Array, Indices
@@ -129,6 +129,14 @@ def test_nothing_but_noise_is_left_of_clean_readings(seed: int) -> None:
     freedom = len(left[0]) - ground.q.shape[1] - sum(one.own.shape[1] for one in ground.runs)
     squares = np.array([float(np.sum(one**2)) for one in left])
     assert np.mean(squares) == pytest.approx(freedom, rel=0.03 + 4 * np.sqrt(2 / freedom / len(sets)))
+
+
+def test_what_two_neighbours_of_a_run_alone_show_does_not_last() -> None:
+    ground = bench().flat
+    spike, step = np.zeros((2, len(ground.q)))
+    spike[3:5], step[: len(ground.runs[0].rows)] = (1.0, -2.0), 1.0
+    assert _lasting(ground, spike) == 0.0
+    assert _lasting(ground, step) == pytest.approx(1.0 - 2.0 / len(ground.runs[0].rows))
 
 
 def test_an_effect_that_curves_imitate_is_absorbed() -> None:
