@@ -176,7 +176,7 @@ def test_an_unknown_that_hardly_any_reading_feels_takes_nothing_from_the_others(
     """The posterior by the normal equations, without it: its column is 1e-15 of the others."""
     columns = 1e4 * np.random.default_rng(3).normal(size=(40, 6))
     columns[:, 2] = 1e-11
-    r = np.linalg.qr(columns, mode="r")
+    r = np.asarray(np.linalg.qr(columns, mode="r"))
     others = np.arange(6) != 2
     root = expected_root(r)
     expected = np.linalg.inv(columns[:, others].T @ columns[:, others] + np.eye(5))
