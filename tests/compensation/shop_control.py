@@ -15,7 +15,9 @@ SYSTEMS = {54: "G54", 55: "G55", 56: "G56", 57: "G57", 58: "G58", 59: "G59"}
 
 @dataclass
 class Control:
-    """at: where the axes stand, machine coordinates, mm. offsets, lengths: of work offsets and tools (H numbers)."""
+    """at: where the axes stand, machine coordinates, mm. offsets, lengths: of work offsets and tools (H numbers). tool:
+    in the spindle, 0: none.
+    """
 
     at: dict[str, float]
     offsets: dict[str, dict[str, float]] = field(default_factory=dict)
@@ -23,12 +25,13 @@ class Control:
     references: Mapping[int, Mapping[str, float]] = field(default_factory=dict)
     system: str = "G54"
     linuxcnc: bool = True
+    tool: int = 0
 
     def __post_init__(self) -> None:
         self.reset, self.local, self.length = dict(ZERO), dict(ZERO), 0.0
         self.absolute, self.unit, self.motion, self.inverse = True, 1.0, 0, False
         self.feed = 0.0
-        self.selected = self.tool = 0
+        self.selected = 0
         self.minutes = 0.0  # spent in feed motions under G93
         self.cycle: int | None = None
         self.level = True  # G98
@@ -78,6 +81,11 @@ class Control:
             self.trace.append((number, self.motion, dict(self.at), self.tool))
 
     def modes(self, codes: list[int], words: dict[str, float]) -> None:
+        self.selected = int(words.get("T", self.selected))
+        if words.get("M") == 6.0:
+            self.tool = self.selected
+        elif words.get("M") == 61.0:
+            self.tool = int(words["Q"])
         for code in codes:
             self.absolute = {900: True, 910: False}.get(code, self.absolute)
             self.unit = {200: 25.4, 210: 1.0}.get(code, self.unit)
@@ -88,11 +96,8 @@ class Control:
             if code == 490:
                 self.length = 0.0
             if code == 430:
-                number = int(words.get("H", self.tool))
+                number = int(words.get("H", self.tool)) or (self.tool if self.linuxcnc else 0)
                 self.length = self.lengths[number] if number else 0.0
-        self.selected = int(words.get("T", self.selected))
-        if words.get("M") == 6.0:
-            self.tool = self.selected
 
     def data(self, codes: list[int], words: dict[str, float], values: dict[str, float]) -> None:
         if 100 in codes and words["L"] == 2:

@@ -155,7 +155,6 @@ def test_calls_that_move_nothing(tmp_path: Path, blocks: str, end: str) -> None:
         ("O1 if [EXISTS[#<_part>]]\nO1 endif\n", "line 5: whether #<_part> exists on the control is not known"),
         ("G1 X1 F100\nM66 P0 L0\n", "line 6: M66 waits for an input"),
         ("G10 L1 P1 R3\n", "line 5: a change of the tool table"),
-        ("M61 Q3\n", "line 5: another number of the tool in the spindle"),
         ("M19 R10\n", "line 5: turning the spindle to an angle"),
         ("G38.2 Z-9 F50\n", "line 5: probing"),
         ("M3 S100\nG33 Z-5 K1\n", "line 6: motion by the turns of the spindle"),
@@ -165,6 +164,11 @@ def test_calls_that_move_nothing(tmp_path: Path, blocks: str, end: str) -> None:
 def test_what_is_not_known_is_a_fault_of_its_line(tmp_path: Path, blocks: str, words: str) -> None:
     with pytest.raises(InputError, match=words):
         compensated(tmp_path, f"{HEAD}{blocks}M2\n", tools=table(1.0) + "T9 P9 Z20\n")
+
+
+def test_the_number_of_the_tool_in_the_spindle(tmp_path: Path) -> None:
+    blocks = "G1 Z-2 F200\nM61 Q3\nX20\nG43 H3\nX41 Z5\nM61 Q0\nX30\nG49\nX40 Z50\nM2\n"
+    check(tmp_path, HEAD.replace("T1 M6", "T1 M6\nM61 Q7\nM61 Q1") + blocks)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from scipy.interpolate import BSpline
 from tests.compensation.test_via_linuxcnc import AT_ZERO, INSTALLED, PACKAGE
 from tests.shop_programs.grade import grade
 from trueaxis.compensation.linuxcnc_splines import biarcs, curve_of, parameters_of
-from trueaxis.compensation.via_linuxcnc import unrolled
+from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
 
 POINTS = np.array([[0.0, 0.0], [0.0, 30.0], [20.0, 45.0], [50.0, 20.0], [60.0, -10.0], [90.0, 5.0]])
@@ -101,4 +101,4 @@ def test_splines_from_an_unknown_start_are_refused(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nF100\nG5 I0 J3 P0 Q-3 X1 Y1\nM2\n")
     with pytest.raises(InputError, match="where a spline goes depends on where the axes stand"):
-        unrolled(program, PACKAGE, AT_ZERO, None, "in")
+        unroll(program, PACKAGE, AT_ZERO, None, "in")

@@ -22,6 +22,7 @@ from trueaxis.io.faults import InputError
 
 LENGTHS = {1: 80.0, 2: 215.5, 3: 31.25, 4: 80.0}
 TABLE = ToolTable({number: Tool(length) for number, length in LENGTHS.items()})
+ON_LINUXCNC: dict[str, Any] = {"tools": TABLE, "dialect": "linuxcnc"}
 NONE = Offsets()
 
 
@@ -119,6 +120,14 @@ def test_lengths_of_the_program(bench: Bench) -> None:
         ("G43 Z5.", "G43 without H", {"tools": TABLE}),
         ("T9 M6", "tool 9 is not in --tools", {"tools": TABLE}),
         ("M6", "which tool comes is not known", {"tools": TABLE}),
+        ("G43 H0 Z5.", "H0 is no length .Fanuc., or that of the tool in the spindle", {"tools": TABLE}),
+        ("G43 H0 Z5.", "takes the length of the tool in the spindle, which is not known", ON_LINUXCNC),
+        ("G43 Z5.", "T and M6 before it, or --spindle-tool", ON_LINUXCNC),
+        ("M61", "M61 without the number of the tool", ON_LINUXCNC),
+        ("M61 Q1.5", "M61 without the number of the tool", ON_LINUXCNC),
+        ("M61 Q9", "tool 9 is not in --tools", ON_LINUXCNC),
+        ("T1 M6 M61 Q2", "M6 and M61 in one block", ON_LINUXCNC),
+        ("M61 Q1", "M61 does not mean the same on every control", {"tools": TABLE}),
         ("T1\nG0 X5. Y5. Z5.", "line 2: whether T changes the tool here is not certain", {"tools": TABLE}),
         ("T1\nG0 X5. Y5. Z5.", "line 2: whether T", {"tools": TABLE, "dialect": "siemens"}),
         ("T1 M6 G0 X5. Y5. Z5.", "give the tool change a block of its own", {"tools": TABLE}),
@@ -146,6 +155,33 @@ def test_a_tool_that_is_in_the_spindle_from_the_start(bench: Bench) -> None:
     assert [use.number for use in bench.report.tools] == [2]
 
 
+@pytest.mark.parametrize("block", ["G43 H0 G0 X5. Y5. Z5.", "G43 G0 X5. Y5. Z5.", "M61 Q2 G43 G0 X5. Y5. Z5."])
+def test_the_tool_in_the_spindle_may_be_told(bench: Bench, block: str) -> None:
+    """On LinuxCNC H0 and no H mean its length."""
+    told = bench.run(f"G21 G90\n{block}\nG1 X500. F100\n", paper_sized(), spindle_tool=2, **ON_LINUXCNC)
+    assert [use.number for use in bench.report.tools] == [2]
+    assert not any("is taken to be in the spindle" in note for note in bench.report.notes)
+    named = bench.run("G21 G90\nG43 H2 G0 X5. Y5. Z5.\nG1 X500. F100\n", paper_sized(), **ON_LINUXCNC)
+    assert told.splitlines()[3:] == named.splitlines()[3:]
+
+
+def test_the_length_follows_a_tool_number_that_is_said(bench: Bench) -> None:
+    """With M61 the length in force stays until G43, which then is that of the tool."""
+    program = "G21 G90\nT1 M6\nG43 G0 X5. Y5. Z5.\nM61 Q2\nG1 X500. F100\nG43 H0\nX5.\n"
+    bench.run(program, paper_sized(), **ON_LINUXCNC)
+    assert [use.number for use in bench.report.tools] == [1, 2]
+    assert any(
+        "line 5: tool 2" in note and "the length of tool 1 stays in force" in note for note in bench.report.notes
+    )
+
+
+def test_the_tool_in_the_spindle_is_one_of_those_given(bench: Bench) -> None:
+    for kwargs in ({"spindle_tool": 9, "tools": TABLE}, {"spindle_tool": 1}):
+        with pytest.raises(ValueError, match=r"tool \d is in the spindle, and is not in --tools"):
+            bench.run("G21 G90\nG0 X1.\n", paper_sized(), **kwargs)
+    bench.run("G21 G90\nG0 X1.\n", paper_sized(), spindle_tool=0)
+
+
 def test_the_length_of_another_tool_is_said(bench: Bench) -> None:
     bench.run("G21 G90\nT1\nM6\nG43 H2 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
     assert any("the length of tool 2 is put in force while tool 1" in note for note in bench.report.notes)
@@ -167,7 +203,25 @@ def test_a_table_of_linuxcnc_adds_x_and_y(bench: Bench) -> None:
 BLOCKS = st.lists(
     st.tuples(
         st.sampled_from(
-            ["", "", "G0", "G1", "T1 M6", "T2 M6", "G43 H1", "G43 H2", "G43 H4", "G49", "G54", "G53", "G91", "G90"]
+            [
+                "",
+                "",
+                "G0",
+                "G1",
+                "T1 M6",
+                "T2 M6",
+                "G43 H0",
+                "G43",
+                "G43 H1",
+                "G43 H2",
+                "G43 H4",
+                "M61 Q3",
+                "G49",
+                "G54",
+                "G53",
+                "G91",
+                "G90",
+            ]
         ),
         st.tuples(*[st.one_of(st.none(), st.integers(-40000, 40000)) for _ in range(3)]),
     ),

@@ -17,7 +17,7 @@ from trueaxis.cli.main import main
 from trueaxis.compensation import via_linuxcnc
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import Tool, ToolTable
-from trueaxis.compensation.via_linuxcnc import unrolled
+from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
 
 PACKAGE = Path(os.environ.get("TRUEAXIS_LINUXCNC", "/"))
@@ -60,7 +60,7 @@ class FakePackage:
         third = [starts[0], *(third or first)]
         self.rounds = [[starts[0], *first], [starts[1], *second], third, third if diameters else [starts[0], *first]]
         known = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))})
-        return unrolled(self.program, self.folder, known, tools, "in.ngc").text.splitlines()[4:]
+        return unroll(self.program, self.folder, known, tools, "in.ngc").text.splitlines()[4:]
 
 
 @pytest.fixture
@@ -100,7 +100,7 @@ def test_turns_of_rotary_axes_are_in_degrees_a_minute(fake: FakePackage) -> None
         call("SET_FEED_RATE", 2540.0), motion("feed", 2, rotary), motion("feed", 3, [5.0, 2.0, 3.0, 90.0]), END,
     ]  # fmt: skip
     fake.rounds = [[motion("rapid", 0, at), *first] for at in ([7.0] * 6, [8.0] * 6, [7.0] * 6)]
-    text = unrolled(fake.program, fake.folder, AT_ZERO, None, "in").text.splitlines()[5:]
+    text = unroll(fake.program, fake.folder, AT_ZERO, None, "in").text.splitlines()[5:]
     assert text == ["N2 G1 A90.0000000 F100", "N3 G1 X5.0000000 F2540"]
 
 
@@ -160,6 +160,22 @@ def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
     assert b"G91\nN1 G1 X10." in (tmp_path / "out.ngc").read_bytes()
 
 
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+@pytest.mark.parametrize("via", [False, True])
+def test_the_tool_in_the_spindle_may_be_told(tmp_path: Path, via: bool) -> None:
+    """LinuxCNC with that tool in its spindle judges; H0 and no H are its length, and M61 names another."""
+    program = tmp_path / "in.ngc"
+    length = "[#5403 + 5]" if via else "85"
+    program.write_text(
+        "G21 G90 G54\nG43 H0\nG0 X1 Y1 Z1\nG1 X200 F100\nM61 Q40\nG0 X210 Z2\nG1 X300\nG43\n"
+        f"G0 Z{length}\nG1 X400 Z9\nT2 M6\nG0 X5 Y5 Z5\nM61 Q50\nG43 H0\nG0 X7 Z7\nG1 X50\nM2\n"
+    )
+    graded = grade(program, PACKAGE, tmp_path, via=via)
+    assert (graded.outcome, graded.reason) == ("accepted", "with --start, --pass-m 0,1,6 and --spindle-tool")
+    assert graded.after < 0.0015 < graded.before
+    assert b"M61 Q40" in (tmp_path / "out.ngc").read_bytes()
+
+
 @pytest.mark.parametrize(
     ("made", "words"),
     [
@@ -167,7 +183,6 @@ def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
         (call("WAIT", 0, 1, 0, 0.0, line=4), "line 4: M66 waits for an input"),
         (call("ORIENT_SPINDLE", 0, 90.0, 0, line=4), "line 4: turning the spindle to an angle (M19)"),
         (call("SET_TOOL_TABLE_ENTRY", 1, 1, line=4), "line 4: a change of the tool table (G10 L1, L10, L11)"),
-        (call("CHANGE_TOOL_NUMBER", 2, line=4), "line 4: another number of the tool in the spindle (M61)"),
         (call("START_SPEED_FEED_SYNCH", 0, 1.0, False, line=4), "line 4: motion by the turns of the spindle (G33"),
         (call("ANOTHER", 1, line=4), "line 4: the program calls ANOTHER"),
         (call("NURBS_FEED", 5, line=4), "line 4: where a spline goes depends on"),
@@ -211,9 +226,9 @@ def test_offsets_are_to_be_known_exactly(fake: FakePackage) -> None:
     ranged = Offsets({"G55": {"X": (0.0, 500.0)}}, {}, "G55")
     fake.rounds = [[motion("rapid", 0, [0.0] * 3), *made]] * 3
     with pytest.raises(InputError, match="a range does not go with --via-linuxcnc"):
-        unrolled(fake.program, fake.folder, ranged, None, "in.ngc")
+        unroll(fake.program, fake.folder, ranged, None, "in.ngc")
     with pytest.raises(InputError, match="G92 in force"):
-        unrolled(fake.program, fake.folder, Offsets({}, {"X": 1.0}), None, "in.ngc")
+        unroll(fake.program, fake.folder, Offsets({}, {"X": 1.0}), None, "in.ngc")
 
 
 def test_a_file_behind_the_option_is_the_program(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -228,7 +243,7 @@ def test_where_linuxcnc_is_not_installed(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("M2\n")
     with pytest.raises(InputError, match="linuxcnc-uspace"):
-        unrolled(program, tmp_path, Offsets(), None, "in.ngc")
+        unroll(program, tmp_path, Offsets(), None, "in.ngc")
 
 
 MACRO = """\
@@ -276,7 +291,7 @@ def test_tools_keep_their_numbers_and_lengths(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nT7 M6\nG43 H7\nG0 Z5\nT3 M6\nG43 H3\nG0 Z6\nM2\n")
     tools = ToolTable({7: Tool(length=70.0), 3: Tool(length=30.0)})
-    text = unrolled(program, PACKAGE, AT_ZERO, tools, "in").text
+    text = unroll(program, PACKAGE, AT_ZERO, tools, "in").text
     assert [line for line in text.splitlines() if line[0] in "TN" or line == "M6"] == [
         "T7", "M6", "N4 G0 Z75.0000000", "T3", "M6", "N7 G0 Z36.0000000",
     ]  # fmt: skip
@@ -286,13 +301,13 @@ def test_tools_keep_their_numbers_and_lengths(tmp_path: Path) -> None:
 def test_optional_blocks_are_as_the_switch_stands(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nG0 X1\n/G0 X2\n/M3 S5\nM2\n")
-    texts = {way: unrolled(program, PACKAGE, AT_ZERO, None, "in", way).text for way in ("run", "skip")}
+    texts = {way: unroll(program, PACKAGE, AT_ZERO, None, "in", way).text for way in ("run", "skip")}
     assert "X2.0" in texts["run"]
     assert "M3" in texts["run"]
     assert "X2.0" not in texts["skip"]
     assert "M3" not in texts["skip"]
     with pytest.raises(InputError, match="line 3: whether a block with / is run"):
-        unrolled(program, PACKAGE, AT_ZERO, None, "in")
+        unroll(program, PACKAGE, AT_ZERO, None, "in")
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
@@ -300,7 +315,7 @@ def test_an_axis_that_is_never_commanded_gets_no_word(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nG0 X1 Y2\nG0 X3\nM2\n")
     at = Offsets({"G54": {a: (v, v) for a, v in zip("XYZ", OFFSETS[0], strict=True)}})
-    text = unrolled(program, PACKAGE, at, None, "in").text
+    text = unroll(program, PACKAGE, at, None, "in").text
     assert "Z" not in text.split("G59.3")[1]
     (tmp_path / "out.ngc").write_text(text)
     assert run(tmp_path / "out.ngc", PACKAGE, {}, OFFSETS).ends[-1, :2].tolist() == pytest.approx([303.0, -198.0])

@@ -9,7 +9,7 @@ from tests.compensation.test_via_linuxcnc import INSTALLED, PACKAGE
 from tests.shop_programs.grade import OFFSETS, grade
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import Tool, ToolTable
-from trueaxis.compensation.via_linuxcnc import unrolled
+from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
 
 pytestmark = pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
@@ -26,7 +26,7 @@ def motions(folder: Path, program: str, **more: object) -> list[str]:
     """The blocks with axis words that a program is unrolled to, without their numbers."""
     path = folder / "in.ngc"
     path.write_text(program)
-    text = unrolled(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ", **more).text  # type: ignore[arg-type]
+    text = unroll(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ", **more).text  # type: ignore[arg-type]
     return [line.split(" ", 1)[1].replace("00000", "") for line in text.splitlines() if re.match(r"N\d+ ", line)]
 
 
@@ -66,7 +66,7 @@ def test_calls_of_blocks_with_long_numbers_are_written(tmp_path: Path) -> None:
     """A tool change was left out."""
     path = tmp_path / "in.ngc"
     path.write_text("G21 G90\nG0 X0 Y0 Z5\nN100010 M5 T2 M6\nN1000020 S300 M3\nG0 X1\nN1000030 G1 X2 F100\nM2\n")
-    text = unrolled(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ").text
+    text = unroll(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ").text
     assert [line for line in text.splitlines() if line in ("T2", "M6", "S300", "M3")] == ["T2", "M6", "S300", "M3"]
     assert "G1 X302.0000000 F100" in text
 
@@ -83,7 +83,7 @@ def test_speeds_by_time_are_those_of_the_ways_in_millimetres(tmp_path: Path) -> 
     """rs274 takes offsets for inches: the way to machine coordinates was 25 times as long, and so was F."""
     path = tmp_path / "in.ngc"
     path.write_text("G21 G90\nG0 X0 Y0 Z5\nG93 G53 G1 X200 F2\nM2\n")
-    assert "N3 G1 X200.0000000 F200" in unrolled(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ").text
+    assert "N3 G1 X200.0000000 F200" in unroll(path, PACKAGE, FRAMES, TOOLS, "in", axes="XYZ").text
 
 
 @pytest.mark.parametrize("block", ["M66 P0 L3 Q1", "m 066 P0 L0"])
@@ -96,12 +96,12 @@ def test_inputs_are_not_known(tmp_path: Path, block: str) -> None:
 def test_the_tool_of_the_first_length_is_in_the_spindle(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nG43 H2\nG0 X0 Y0 Z5\nG1 X10 F100\nM2\n")
-    assert unrolled(program, PACKAGE, FRAMES, TOOLS, "in").tool == 2
+    assert unroll(program, PACKAGE, FRAMES, TOOLS, "in").tool == 2
     alike = {1: Tool(length=20.0, point=(0.0, 0.0, 1.0)), 2: Tool(length=20.0)}
     with pytest.raises(InputError, match=r"a length of 20\.0000 mm is in force before a tool change: of which tool"):
-        unrolled(program, PACKAGE, FRAMES, ToolTable(alike), "in")
+        unroll(program, PACKAGE, FRAMES, ToolTable(alike), "in")
     program.write_text("G21 G90\nG43 H2\nG0 X0 Y0 Z5\nG43 H1\nG1 X10 F100\nM2\n")
-    assert unrolled(program, PACKAGE, FRAMES, TOOLS, "in").tool == 2
+    assert unroll(program, PACKAGE, FRAMES, TOOLS, "in").tool == 2
     program.write_text("G21 G90\nG43 H30\nG0 X0 Y0 Z5\nG1 X90 F100\nY70\nM2\n")
     graded = grade(program, PACKAGE, tmp_path, via=True)
     assert (graded.outcome, graded.after < 0.0012 < graded.before) == ("accepted", True)

@@ -10,11 +10,15 @@ START is a block that puts the axes where they are to stand at first; it is the 
 import ctypes
 import json
 import os
+import re
 import sys
+from pathlib import Path
 
 PROGRAM, VAR, PACKAGES = sys.argv[1:4]
 START = sys.argv[5] if len(sys.argv) > 5 else ""
 TOOLS = json.loads(sys.argv[4])  # number, length and diameter (mm) in the order of the table, the spindle first
+# M61, which the module passes over
+SAID = [re.search(r"(?i)^[^(;]*m\s*0*61\s*q\s*(\d+)", text) for text in Path(PROGRAM).read_text("latin-1").split("\n")]
 sys.path.insert(0, PACKAGES)
 sys.setdlopenflags(os.RTLD_LAZY | os.RTLD_GLOBAL)  # what is loaded before it calls it
 import gcode  # noqa: E402
@@ -46,6 +50,9 @@ class Canon:
     def next_line(self, state):
         self.changing = False
         self.line = state.sequence_number
+        if 0 < self.line <= len(SAID) and (said := SAID[self.line - 1]):
+            numbers = [tool for tool, *_ in TOOLS[1:]]
+            self.change_tool(1 + numbers.index(int(said[1])))
 
     def set_g5x_offset(self, _index, *values):
         self.g5x = values

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.path_distance import FloatArray, apart, distances, sampled, way
 from tests.compensation.rs274_calls import INCH, calls_of, different_modes
-from tests.shop_programs.interpreter import Ran, diameter_of, ended, run, tool_table
+from tests.shop_programs.interpreter import IN_SPINDLE, Ran, diameter_of, ended, run, tool_table
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
@@ -98,7 +98,9 @@ def ways(settings: Settings) -> Iterator[tuple[str, Settings]]:
     yield "", settings
     stated = replace(settings, start=dict.fromkeys("XYZ", 0.0))
     yield "with --start", stated
-    yield "with --start and --pass-m 0,1,6", replace(stated, pass_m=(*settings.pass_m, 0, 1, 6))
+    passing = replace(stated, pass_m=(*settings.pass_m, 0, 1, 6))
+    yield "with --start and --pass-m 0,1,6", passing
+    yield "with --start, --pass-m 0,1,6 and --spindle-tool", replace(passing, spindle_tool=IN_SPINDLE)
 
 
 def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grade:

@@ -22,6 +22,7 @@ CHILD = Path(__file__).with_name("canonical.py")
 SPLINES = Path(__file__).with_name("spline_motions.cc")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is built for
 SECONDS = 60
+IN_SPINDLE = 7  # the tool before the program
 MOST_MOTIONS = 2_000_000
 _ROWS = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
 ELSEWHERE = 0.0371  # mm: so small that neither arcs nor the number of their samples change
@@ -65,7 +66,8 @@ def packages_of(package: Path) -> tuple[Path, dict[str, str]]:
 def run(
     program: Path, package: Path, tools: Mapping[int, float], offsets: Sequence[Sequence[float]] = (),
 ) -> Ran:  # fmt: skip
-    """Run a program; tools: length of each by number, mm; offsets: X Y Z of G54 and on, mm.
+    """Run a program; tools: length of each by number, mm; offsets: X Y Z of G54 and on, mm. Of the tools IN_SPINDLE is
+    there at first.
 
     It is run with all axes at 0, and from another place: an axis that is elsewhere then was not commanded.
     """
@@ -91,7 +93,9 @@ def _run(
         var.write_text("".join(f"{n}\t{value:.6f}\n" for n, value in sorted(values.items())))
         env = {"PATH": os.environ["PATH"], "HOME": folder, **environment}
         preload = {"LD_PRELOAD": splines} if (splines := _splines(package)) else {}
-        table = json.dumps([(0, 0.0, 0.0), *((tool, length, diameter_of(tool)) for tool, length in tools.items())])
+        entries = [(tool, length, diameter_of(tool)) for tool, length in tools.items()]
+        first = next((entry for entry in entries if entry[0] == IN_SPINDLE), (0, 0.0, 0.0))
+        table = json.dumps([first, *entries])
         _make_tools(Path(folder), package, tools, env)
         copy = Path(folder) / "program.ngc"
         copy.write_bytes(ended(program.read_bytes()))

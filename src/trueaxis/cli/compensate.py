@@ -184,6 +184,8 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--tools", type=Path, metavar="FILE",
                         help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length, offset and "
                         "diameter; G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
+    parser.add_argument("--spindle-tool", type=int, metavar="N", help="tool in the spindle before the "
+                        "program, one of --tools, 0: none (default: not known)")  # fmt: skip
 
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:
@@ -254,9 +256,8 @@ def run(args: argparse.Namespace) -> int:
     Raises InputError when the input is wrong.
     """
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
-    inputs |= {
-        option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
-    }
+    tables = {"--offsets": args.offsets, "--tools": args.tools}
+    inputs |= {option: path for option, path in tables.items() if path is not None}
     outputs = {"--out": args.out, "--report": args.report, "--draws-out": args.draws_out}
     found = overwritten(inputs, outputs, args.kernels)
     draws = draws_of(args, found)

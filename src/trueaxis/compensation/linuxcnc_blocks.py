@@ -53,14 +53,18 @@ class Unrolled:
 
 
 def unrolled_program(
-    made: Sequence[Motion | Call], tools: Mapping[int, Tool], axes: Sequence[str] = AXES, kept: bool = False
+    made: Sequence[Motion | Call],
+    tools: Mapping[int, Tool],
+    axes: Sequence[str] = AXES,
+    kept: bool = False,
+    tool: int | None = None,
 ) -> Unrolled:
     """The motions and calls in order as blocks; axes: those of the machine: others get no word while they stand at 0;
-    kept: whether a tool change moves no axis.
+    kept: whether a tool change moves no axis; tool: in the spindle before the program, None: not known.
 
     Raises ValueError with what is not written, and its line.
     """
-    writer = _Writer(tools, axes, kept)
+    writer = _Writer(Modes(tools, tool), axes, kept)
     blocks = [*((text, 1) for text in HEAD), *_blocks(writer, made)]
     return Unrolled(
         "".join(f"{text}\n" for text, _ in blocks), tuple(line for _, line in blocks), writer.modes.first_tool,
@@ -129,9 +133,9 @@ def spline_motions(remaining: deque[Motion | Call], call: Call, at: Sequence[flo
 class _Writer:
     """What is in force: positions (at), plane, increments, and modes."""
 
-    def __init__(self, tools: Mapping[int, Tool], axes: Sequence[str], kept: bool) -> None:
+    def __init__(self, modes: Modes, axes: Sequence[str], kept: bool) -> None:
         self._kept = kept
-        self.modes = Modes(tools)
+        self.modes = modes
         self._unknown: list[float | None] = [None if axis in axes else 0.0 for axis in AXES]
         self.at = self._unknown
         self._plane, self._absolute = 1, True

@@ -88,6 +88,11 @@ class Canon:
         elif name == "SET_NAIVECAM_TOLERANCE":
             self.tolerance["MOTION_CONTROL_NAIVECAM"] = given[0] * self.unit
         self.held.ask_line()
+        if name == "CHANGE_TOOL_NUMBER":  # M61: the control takes the tool's data over, and moves no axis
+            self.spindle = self.of_table(given[0])
+            given = [max(self.spindle[0], 0)]
+            self.changed_in = self.line
+            self.hold()
         self.say("call", name, *(one.decode("latin-1") if isinstance(one, bytes) else one for one in given))
 
     def answers(self):
@@ -140,7 +145,7 @@ class Canon:
 
     def change_tool(self, place):
         """A tool change may move the axes anywhere."""
-        self.spindle = self.tools[place] if 0 < place < len(self.tools) else NO_TOOL
+        self.spindle = self.of_table(place)
         self.say("call", "CHANGE_TOOL", max(self.spindle[0], 0))
         self.at = [a + b for a, b in zip(self.at, self.moved_by, strict=True)]
         self.say("stands", 0, 0, [], self.machine(self.at))
@@ -193,10 +198,12 @@ class Canon:
     def get_axis_mask(self):
         return 0o777
 
+    def of_table(self, place):
+        return self.tools[place] if 0 < place < len(self.tools) else NO_TOOL
+
     def get_tool(self, place):
         """The tool of a place of the table; 0 is the spindle."""
-        inside = 0 < place < len(self.tools)
-        tool, offset, diameter, *angles = self.spindle if place == 0 else self.tools[place] if inside else NO_TOOL
+        tool, offset, diameter, *angles = self.spindle if place == 0 else self.of_table(place)
         return (tool, *(value for value in offset), *(0.0,) * 6, diameter, *angles)
 
     def get_block_delete(self):

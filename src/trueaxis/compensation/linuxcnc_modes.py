@@ -32,7 +32,6 @@ _NOT_WRITTEN = {
     "WAIT": "M66 waits for an input: what the program does then is not known",
     "ORIENT_SPINDLE": "turning the spindle to an angle (M19) is not unrolled",
     "SET_TOOL_TABLE_ENTRY": "a change of the tool table (G10 L1, L10, L11) is not unrolled",
-    "CHANGE_TOOL_NUMBER": "another number of the tool in the spindle (M61) is not unrolled",
     "START_SPEED_FEED_SYNCH": "motion by the turns of the spindle (G33, G76: threads) is not unrolled",
 }
 
@@ -55,9 +54,9 @@ def written(number: float) -> str:
 class Modes:
     """What is in force: unit, feed, whether the spindle turns by G96, whether F counts by turns."""
 
-    def __init__(self, tools: Mapping[int, Tool]) -> None:
+    def __init__(self, tools: Mapping[int, Tool], first_tool: int | None) -> None:
         self._tools, self._changed = tools, False
-        self.first_tool: int | None = None
+        self.first_tool = first_tool
         self._unit, self._rate, self._by_turns = 1.0, 0.0, False
         self._surface, self._speed_mode = False, ""
         self._tolerance, self._flat = math.nan, 0.0  # mm, of a G64 that is due, and of the last one
@@ -88,7 +87,7 @@ class Modes:
             yield from self._spindle(name, numbers[-1])
         elif name in ("SET_MOTION_CONTROL_MODE", "SET_NAIVECAM_TOLERANCE"):
             yield from self._path(call, numbers)
-        elif name in ("CHANGE_TOOL", "USE_TOOL_LENGTH_OFFSET"):
+        elif name in ("CHANGE_TOOL", "CHANGE_TOOL_NUMBER", "USE_TOOL_LENGTH_OFFSET"):
             yield from self._tool(call, numbers)
         else:
             yield from self._feed_mode(call, numbers)
@@ -150,6 +149,10 @@ class Modes:
         if call.name == "CHANGE_TOOL":
             self._changed = True
             yield "M6"
+            return
+        if call.name == "CHANGE_TOOL_NUMBER":
+            self._changed = True
+            yield f"M61 Q{written(numbers[0])}"
             return
         length = numbers[2]
         if not self._tools or self._changed or self.first_tool is not None or abs(length) < SAME_LENGTH:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
+from trueaxis.compensation.nc_tools import SPINDLE_REMEDY
 from trueaxis.io.faults import Fault
 
 LONGEST = 250  # characters of a block: LinuxCNC takes lines up to 254 with their ends
@@ -19,7 +20,7 @@ _COMMENTS = re.compile(r"\([^()]*\)?|;.*")
 _READ = re.compile(r"#[ \t]*(\d+)(?![ \t]*[\d=])")
 _SET = re.compile(r"#[ \t]*(\d+)[ \t]*=(?!=)")
 _TOOL_READ = re.compile(r"#[ \t]*<[ \t]*_current_tool[ \t]*>", re.IGNORECASE)
-_CHANGE = re.compile(r"(?i)M[ \t]*0*6(?![ \t]*[\d.])")
+_CHANGE = re.compile(r"(?i)M[ \t]*0*61?(?![ \t]*[\d.])")
 _EXISTS = re.compile(r"(?i)exists[ \t]*\[[ \t]*$")
 _SUB = re.compile(r"(?i)^[ \t]*(?:N[ \t]*\d+[ \t]*)?O[ \t]*(?:\d+|<[^<>]*>)[ \t]*(sub|endsub)\b")
 _CONTROL = re.compile(r"(?i)#[ \t]*<[ \t]*(_(?:ini|hal)[ \t]*\[[^>]*|_task|_current_pocket|_selected_pocket)[ \t]*>")
@@ -76,9 +77,9 @@ def _marked(line: str, code: str, arguments: Collection[int], known: Collection[
     pieces, end = [], 0
     reads = [*_READ.finditer(code), *_TOOL_READ.finditer(code)]
     for read in sorted(reads, key=lambda found: found.start()):
-        of_tool = read.re is _TOOL_READ or int(read[1]) in TOOL_PARAMETERS
-        name = _TOOL_MARK if of_tool else _MARK.format(read[1].lstrip("0"))
-        if (of_tool or to_be_set(int(read[1]))) and not _EXISTS.search(code[: read.start()]):
+        one = TOOL_PARAMETERS[0] if read.re is _TOOL_READ else int(read[1])
+        name = _TOOL_MARK if one in TOOL_PARAMETERS else _MARK.format(one)
+        if to_be_set(one) and not _EXISTS.search(code[: read.start()]):
             pieces += [line[end : read.start()], f"[{read[0]} + 0 * #<{name}>]"]
             end = read.end()
     marks = [_MARK.format(int(one)) for one in _SET.findall(code) if to_be_set(int(one))]
@@ -127,7 +128,7 @@ def fault_of(name: str, line: int, refusal: str) -> Fault:
         return Fault(name, f"line {line}", f"LinuxCNC refuses the program: {refusal}")
     if mark[1] == "tool":
         problem = "a parameter of the tool in the spindle is read before a tool change: which tool it is is not known"
-        return Fault(name, f"line {line}", problem, "T and M6 before it")
+        return Fault(name, f"line {line}", problem, SPINDLE_REMEDY)
     return Fault(name, f"line {line}", f"parameter #{mark[1]} is read, and its value is not known", FROM_FILE)
 
 

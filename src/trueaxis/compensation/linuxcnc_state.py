@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from trueaxis.compensation.linuxcnc_blocks import AXES
+from trueaxis.compensation.linuxcnc_source import TOOL_PARAMETERS
 from trueaxis.compensation.offsets import NUMBERED, Offsets, middle
 from trueaxis.compensation.tools import Tool
 from trueaxis.io.faults import Fault
@@ -20,7 +21,7 @@ SYSTEMS, EACH = 5221, 20  # the parameter of X of G54, and from one work offset 
 OF_USER = range(1, 5061)  # parameters that are programs' own
 # what is taken for what is not known: a tool in the spindle at first, mm, parameters, and diameters, so small that no
 # contour becomes impossible
-UNKNOWN_TOOL = (99991, (3.1713, 2.3319, 7.7117))
+UNKNOWN_TOOL, NO_TOOL = (99991, (3.1713, 2.3319, 7.7117)), (-1, (0.0, 0.0, 0.0))
 UNKNOWN_DIAMETER = 0.0613  # mm
 UNKNOWN_PARAMETER = 1000.0371
 
@@ -40,12 +41,12 @@ class Round:
 
 def rounds_of(
     offsets: Offsets, tools: Mapping[int, Tool], points: Mapping[str, Mapping[str, float]], axes: Sequence[str],
-    kept: bool,
+    kept: bool, tool: int | None = None,
 ) -> list[Round]:  # fmt: skip
     """Four runs: from two places; from the first of them with other values of all that is not known; and with other
     diameters alone of tools whose diameter is not known.
 
-    kept: whether a tool change moves no axis.
+    kept: whether a tool change moves no axis. tool: of tools, in the spindle before the program; None: not known.
     """
     made = []
     for number, unknown, diameters in ((0, False, False), (1, False, False), (0, True, True), (0, False, True)):
@@ -53,14 +54,16 @@ def rounds_of(
         values = _parameters(offsets, points, axes, moved)
         if unknown:
             values = {one: UNKNOWN_PARAMETER + one for one in OF_USER} | values
-        first = [*UNKNOWN_TOOL] if unknown else [-1, [0.0, 0.0, 0.0]]
         diameter = UNKNOWN_DIAMETER if diameters else 0.0
+        first = [*(UNKNOWN_TOOL if unknown else NO_TOOL), diameter, 0.0, 0.0, 0]
+        if tool is not None:
+            first = _entry(tool, tools[tool], diameter) if tool else [*NO_TOOL, 0.0, 0.0, 0.0, 0]
         ways = zip(AXES, moved, strict=True)
         made.append(
             Round(
                 parameters="".join(f"{one}\t{value:.9f}\n" for one, value in sorted(values.items())),
                 tools="".join(_line(number, tool) for number, tool in tools.items()),
-                table=[[*first, diameter, 0.0, 0.0, 0], *(_entry(one, tool, diameter) for one, tool in tools.items())],
+                table=[first, *(_entry(one, tool, diameter) for one, tool in tools.items())],
                 start="G53 G0 " + " ".join(f"{axis}{start[axis]}" for axis in axes),
                 moved=[way if axis in axes and not kept else 0.0 for axis, way in ways],
             )
@@ -68,9 +71,12 @@ def rounds_of(
     return made
 
 
-def known_parameters(offsets: Offsets, points: Mapping[str, Mapping[str, float]]) -> Collection[int]:
-    """Numbers of the parameters that are known before a program."""
+def known_parameters(
+    offsets: Offsets, points: Mapping[str, Mapping[str, float]], tool: int | None = None
+) -> Collection[int]:
+    """Numbers of the parameters that are known before a program; tool: in the spindle, None: not known."""
     known = set(offsets.parameters) | set(range(5210, 5221))  # G92, and which work offset is in force
+    known |= set(TOOL_PARAMETERS if tool is not None else ())
     for system in offsets.systems:
         if system in NUMBERED:
             first = SYSTEMS + EACH * NUMBERED.index(system)

@@ -74,7 +74,21 @@ def interpret(
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
     _cancels(meaning)
     _look_ahead(meaning, settings)
+    _tool_number(meaning, settings.dialect)
     return meaning
+
+
+def _tool_number(meaning: Meaning, dialect: str | None) -> None:
+    """M61 Q of LinuxCNC: which tool is in the spindle."""
+    if dialect != "linuxcnc" or codes.TOOL_NUMBER not in meaning.miscellaneous:
+        return
+    number = meaning.parameters.get("Q", -1.0)
+    if number < 0.0 or number != int(number):
+        meaning.complain("M61 without the number of the tool in the spindle", "M61 Q1")
+    elif codes.TOOL_CHANGE in meaning.miscellaneous:
+        meaning.complain("M6 and M61 in one block")
+    else:
+        meaning.in_spindle = int(number)
 
 
 def _look_ahead(meaning: Meaning, settings: Settings) -> None:

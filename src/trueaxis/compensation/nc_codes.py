@@ -199,7 +199,7 @@ KNOWN: dict[int, MCode] = {
 }
 TOOL_CHANGE = 6
 SPINDLE, SPINDLE_STOP = frozenset({3, 4, 5}), 5
-PALLETS = 60  # of LinuxCNC
+PALLETS, TOOL_NUMBER = 60, 61  # of LinuxCNC
 END = frozenset(code for code, known in KNOWN.items() if known.ends)
 STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE) | {PALLETS}
 # no more than on or off of what is no axis, everywhere
@@ -237,7 +237,10 @@ KNOWN_ON: dict[str, dict[int, MCode]] = {
         127: MCode("rotary axes turn on the way that their positions give", Timing.BEFORE),
         137: MCode("end of M136", Timing.BEFORE),
     },
-    "linuxcnc": {PALLETS: MCode("change of pallets, and stop", Timing.AFTER, axes_kept=False)},
+    "linuxcnc": {
+        PALLETS: MCode("change of pallets, and stop", Timing.AFTER, axes_kept=False),
+        TOOL_NUMBER: MCode("number of the tool in the spindle", Timing.BEFORE),
+    },
 }
 # tool centre point control on and off; LinuxCNC: as its sample machines with switchable kinematics have it
 POINT_CONTROL: dict[str, dict[int, bool]] = {

@@ -127,7 +127,8 @@ class Meaning:
     point_control: whether it switches tool centre point control on or off.
     ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
     would be no shift; notes: remarks on the block.
-    tool: the T word, as `T2`. changes_tool: whether the block may change the tool, see tool_changes.
+    tool: the T word, as `T2`. changes_tool: whether the block may change the tool, see tool_changes. in_spindle: the
+    tool that it says to be in the spindle (M61 of LinuxCNC).
     """
 
     motion: int | None = None
@@ -147,6 +148,7 @@ class Meaning:
     program_number: bool = False
     tool: str = ""
     changes_tool: bool = False
+    in_spindle: int | None = None
     undotted: set[str] = field(default_factory=set)
     decimals: dict[str, int] = field(default_factory=dict)
     parameters: dict[str, float] = field(default_factory=dict)

@@ -31,6 +31,9 @@ OLD_LENGTH = (
     "tool {} came with a tool change and no G43 since: the length of tool {} stays in force, as on LinuxCNC and Fanuc"
 )
 FIRST_EDGE = "no D after the tool change: D1 is taken to come into force by itself (MD20270 = 1, as delivered)"
+NO_LENGTH = "G43 H0 is no length (Fanuc), or that of the tool in the spindle (LinuxCNC)"
+OF_SPINDLE = "G43 without H, or with H0, takes the length of the tool in the spindle, which is not known here"
+SPINDLE_REMEDY = "T and M6 before it, or --spindle-tool, which names the one in the spindle before the program"
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -85,8 +88,9 @@ class ToolReader:
 
     def __init__(self, state: NcState, settings: Settings, faults: FaultLog, notes: Notes) -> None:
         self._state, self._faults, self._notes = state, faults, notes
-        state.tool = settings.tool
+        state.tool = settings.spindle_tool
         self._table: ToolTable | None = settings.tools
+        self._dialect = settings.dialect
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
@@ -94,6 +98,7 @@ class ToolReader:
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults, self._kept)
         self._selected: int | None = None
         self._changed = False  # a tool has come since the last length was put in force
+        self._taken = False  # the tool in the spindle is that of the first G43 H: good enough for the tip, not for H0
 
     @property
     def remedy(self) -> str:
@@ -115,6 +120,9 @@ class ToolReader:
         meaning.changes_tool = self._changes.may_change(number, meaning)
         if meaning.tool:
             self._selected = int(float(meaning.tool[1:]))
+        if meaning.in_spindle is not None and self._table is not None:
+            self._tool(number, meaning.in_spindle)
+            state.tool, self._changed, self._taken = meaning.in_spindle, True, False
         if not meaning.changes_tool:
             return
         if self.moves(meaning):
@@ -130,8 +138,7 @@ class ToolReader:
             self._faults.add(number, "M6 without a T before it: which tool comes is not known", "T in the program")
         else:
             self._tool(number, self._selected)
-            state.tool = self._selected
-            self._changed = True
+            state.tool, self._changed, self._taken = self._selected, True, False
             if self._on_siemens and meaning.length_code is None:
                 lengths = self._lengths(number, self._tool(number, self._selected))
                 self._set(number, meaning, lengths, self._selected)
@@ -155,24 +162,36 @@ class ToolReader:
         if meaning.length_code == codes.END_LENGTH:
             self._set(number, meaning, [0.0] * len(frames.axes), 0)
             return
+        of_tool = self._whose_length(number, meaning)
+        if of_tool is None:
+            return
+        if self._state.tool and of_tool and of_tool != self._state.tool:
+            self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))
+        if self._state.tool is None and of_tool:
+            self._notes.add(number, IN_SPINDLE.format(of_tool))
+            self._state.tool, self._taken = of_tool, True
+        self._set(number, meaning, self._lengths(number, self._tool(number, of_tool)), of_tool)
+
+    def _whose_length(self, number: int, meaning: Meaning) -> int | None:
+        """The tool whose length is put in force, 0: none; None: a fault, which is added."""
         of_tool = meaning.length_of
-        if of_tool is None and (self._on_linuxcnc or self._on_siemens):
-            of_tool = self._state.tool or None
-        if self._table is None and (of_tool is not None or self._on_siemens):
-            self._faults.add(
-                number, f"{self._length_word} shifts positions by a tool value that is not in the program", TOOLS_REMEDY
-            )
+        if of_tool == 0 and self._dialect is None:
+            self._faults.add(number, NO_LENGTH, "say --dialect")
+        elif self._on_linuxcnc and not of_tool:  # H0 is the tool in the spindle, too
+            of_tool = None if self._taken else self._state.tool
         elif of_tool is None and self._on_siemens:
+            of_tool = self._state.tool or None
+        if self._table is None and (of_tool is not None or self._on_siemens or self._on_linuxcnc):
+            problem = f"{self._length_word} shifts positions by a tool value that is not in the program"
+            self._faults.add(number, problem, TOOLS_REMEDY)
+            return None
+        if of_tool is None and self._on_siemens:
             self._faults.add(number, "D1 before a tool change: whose length it is is not known", "T1 M6 before it")
+        elif of_tool is None and self._on_linuxcnc:
+            self._faults.add(number, OF_SPINDLE, SPINDLE_REMEDY)
         elif of_tool is None:
             self._faults.add(number, "G43 without H: whose length it is is not known", "G43 H1")
-        else:
-            if self._state.tool and of_tool and of_tool != self._state.tool:
-                self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))
-            if self._state.tool is None and of_tool:
-                self._notes.add(number, IN_SPINDLE.format(of_tool))
-                self._state.tool = of_tool
-            self._set(number, meaning, self._lengths(number, self._tool(number, of_tool)), of_tool)
+        return of_tool
 
     def data(self, number: int, meaning: Meaning) -> None:
         """G43.1: lengths in the program."""

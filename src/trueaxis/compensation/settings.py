@@ -48,10 +48,10 @@ class Settings:
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see nc_codes.
-    offsets: work offsets that are known. tools: tools that are known, None: none are. tool: the one in the spindle
-    before the program, None: not known. touched_off: work offsets that were touched off without compensation, see
-    datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine positions to which `G28`
-    and `G30` go.
+    offsets: work offsets that are known. tools: tools that are known, None: none are. spindle_tool: the one in the
+    spindle before the program, 0: none, None: not known. touched_off: work offsets that were touched off without
+    compensation, see datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine
+    positions to which `G28` and `G30` go.
     peck_return: the way back that breaks the chip (G73), and before the cut goes on (G83): LinuxCNC's 0.010 inch.
     judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
@@ -81,7 +81,7 @@ class Settings:
     pass_m: tuple[int, ...] = ()
     offsets: Offsets = field(default_factory=Offsets)
     tools: ToolTable | None = None
-    tool: int | None = None
+    spindle_tool: int | None = None
     touched_off: tuple[TouchedOff, ...] = ()
     keep_g53: bool = False
     reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
@@ -92,7 +92,7 @@ class Settings:
     batch_points: int = 16384
 
     def __post_init__(self) -> None:
-        if problems := list(self._problems()):
+        if problems := [*self._problems(), *self._unknown_tool()]:
             raise ValueError("; ".join(problems))
 
     @property
@@ -106,6 +106,11 @@ class Settings:
         if self.inch_resolution is not None:
             return self.inch_resolution
         return LEAST_INCH if self.dialect == "fanuc" else FINE_INCH
+
+    def _unknown_tool(self) -> Iterator[str]:
+        """The tool in the spindle where it is none of those that are given."""
+        if self.spindle_tool and (self.tools is None or self.spindle_tool not in self.tools.tools):
+            yield f"tool {self.spindle_tool} is in the spindle, and is not in --tools"
 
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""

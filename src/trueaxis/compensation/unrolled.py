@@ -20,7 +20,7 @@ from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
 from trueaxis.compensation.tracker import acting
-from trueaxis.compensation.via_linuxcnc import unrolled
+from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import Fault, InputError
 
 UNROLLED = (
@@ -60,18 +60,18 @@ def unrolled_first(
         if faults := offset_faults(program.read_bytes(), name):
             raise InputError(faults)
         offsets = _at_true_zeros(model, settings, notes)
-    made = unrolled(
+    made = unroll(
         program, package, offsets, settings.tools, name, settings.block_delete, model.axes,
-        settings.reference_points, codes.TOOL_CHANGE in settings.pass_m,
+        settings.reference_points, codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,
     )  # fmt: skip
     notes.add(0, UNROLLED)
     if made.exact_since:
         notes.add(made.exact_since, EXACT_SINCE)
-    if made.tool is not None:
+    if made.tool is not None and settings.spindle_tool is None:
         notes.add(0, IN_SPINDLE.format(made.tool))
     passed = (*settings.pass_m, *PASSED)
     return made, replace(
-        settings, dialect="linuxcnc", judged=True, pass_m=passed, tool=made.tool, touched_off=()
+        settings, dialect="linuxcnc", judged=True, pass_m=passed, spindle_tool=made.tool, touched_off=()
     )  # fmt: skip
 
 

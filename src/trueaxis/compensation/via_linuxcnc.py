@@ -41,6 +41,7 @@ CALLS = Path(__file__).with_name("linuxcnc_calls.py")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is made for
 SECONDS = 600
 _OPTIONAL = re.compile(rb"(?m)^[ \t]*/")
+_TOOL_COMES = frozenset({"CHANGE_TOOL", "CHANGE_TOOL_NUMBER"})
 _MOTIONS = frozenset({"rapid", "feed", "arc", "stands"})
 NOT_INSTALLED = (
     "LinuxCNC's interpreter is not there",
@@ -52,12 +53,12 @@ UNKNOWN = (
     "what the program does here depends on a parameter that is neither set before nor known, or on the tool in the "
     "spindle at first"
 )
-UNKNOWN_REMEDY = "T and M6 at its beginning, parameters by --offsets FILE.var"
+UNKNOWN_REMEDY = "T and M6 at its beginning, or --spindle-tool; parameters by --offsets FILE.var"
 
 Record = list[Any]
 
 
-def unrolled(
+def unroll(
     program: Path,
     package: Path,
     offsets: Offsets,
@@ -67,13 +68,15 @@ def unrolled(
     axes: Sequence[str] = AXES,
     reference_points: Mapping[str, Mapping[str, float]] | None = None,
     kept: bool = False,
+    tool: int | None = None,
 ) -> Unrolled:
     """The program as lines and arcs in machine coordinates.
 
     package: the folder in which LinuxCNC is installed (`/`) or unpacked. block_delete: what / blocks are. axes: those
-    of the machine. reference_points: of Settings. kept: whether a tool change moves no axis. Raises InputError when the
-    interpreter is not there or refuses the program, when a value that the program uses is not known, or when the
-    program does what lines, arcs and codes do not say.
+    of the machine. reference_points: of Settings. kept: whether a tool change moves no axis. tool: of tools, in the
+    spindle before the program, 0: none, None: not known. Raises InputError when the interpreter is not there or refuses
+    the program, when a value that the program uses is not known, or when the program does what lines, arcs and codes do
+    not say.
     """
     where = package / "usr/lib/python3/dist-packages"
     if not list(where.glob("gcode*.so")):
@@ -83,7 +86,7 @@ def unrolled(
         raise InputError([Fault("--tools", "", "offsets of tools in X and Y do not go with --via-linuxcnc")])
     given, points = program.read_bytes(), reference_points or {}
     _check_given(given, name, block_delete, offsets, points)
-    source = marked_source(given, known_parameters(offsets, points))
+    source = marked_source(given, known_parameters(offsets, points, tool))
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
         write_files({here / "program.ngc": source.text})
@@ -92,14 +95,14 @@ def unrolled(
             "LD_LIBRARY_PATH": f"{package}/usr/lib:{package}/usr/lib/{sys.implementation._multiarch}",
         }  # fmt: skip
         task = {"program": "program.ngc", "packages": str(where), "skips": block_delete == "skip"}
-        *three, by_diameter = rounds_of(offsets, of_number, points, axes, kept)
+        *three, by_diameter = rounds_of(offsets, of_number, points, axes, kept, tool)
         rounds = [_run(one, task, here, env) for one in three]
         _check_rounds(rounds, lambda: _run(by_diameter, task, here, env), name)
     _check_diameters(rounds[0], source, of_number, name)
     _check_offsets(rounds[0], offsets, axes, name)
     _check_end(rounds[0], given, name)
     try:
-        return unrolled_program(_made(rounds), of_number, axes, kept)
+        return unrolled_program(_made(rounds), of_number, axes, kept, tool)
     except ValueError as problem:
         line, text = problem.args
         raise InputError([Fault(name, f"line {line}", text)]) from None
@@ -212,7 +215,7 @@ def _same(one: object, other: object) -> bool:
 
 def _check_diameters(records: Sequence[Record], source: Source, tools: Mapping[int, Tool], name: str) -> None:
     """Faults of lines that read the diameter of the tool in the spindle, where those of the program's are not known."""
-    used = {int(record[3]) for record in records if record[0] == "call" and record[2] == "CHANGE_TOOL"}
+    used = {int(record[3]) for record in records if record[0] == "call" and record[2] in _TOOL_COMES}
     unknown = sorted(tool for tool in used if tool in tools and tools[tool].cutter.diameter is None)
     if unknown and source.diameters:
         problem = f"#5410 is a diameter, and that of T{unknown[0]} is not known"

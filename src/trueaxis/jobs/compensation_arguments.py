@@ -41,7 +41,8 @@ class CompensationSettings(TypedDict, total=False):
     "heidenhain"; integers: what a number without a decimal point counts, "mm" or "least-increment"; pass_m: M codes
     that move nothing on this control. peck_return: how far G73 and G83 go back, where they are written out (0.254).
     touched_off: work offsets that were touched off without compensation, each as --touched-off takes it
-    ("G54=L120"); keep_g53: motions in machine coordinates stay as they are.
+    ("G54=L120"); keep_g53: motions in machine coordinates stay as they are. spindle_tool: number of the tool in the
+    spindle before the program, 0: none (not known).
     """
 
     tolerance: float
@@ -66,6 +67,7 @@ class CompensationSettings(TypedDict, total=False):
     peck_return: float
     touched_off: Sequence[str]
     keep_g53: bool
+    spindle_tool: int
 
 
 def settings_of(given: CompensationSettings) -> dict[str, Any]:
