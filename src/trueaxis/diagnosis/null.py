@@ -90,6 +90,15 @@ def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float
     return replace(found, outliers=tuple(one for at, one in outliers.items() if never[at] or not back[at]))
 
 
+def left_out(null: Null, taken: BoolArray, noise_um: float | None) -> Null:
+    """Without further outliers, (n,), and what may be spoilt in their stead."""
+    kept = ~taken & ~undecided(null.rows, ~taken)
+    found = null.only(kept)
+    found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
+    _, outliers = explained(null, found, kept)
+    return replace(found, outliers=(*null.outliers, *outliers.values()))
+
+
 def undecided(rows: Rows, good: BoolArray) -> BoolArray:
     """(n,): readings of a place of which some are spoilt, where no more than two in a row seem not to be: these may be
     the spoilt ones as well, by one disturbance. good: (n,), those that seem not to be.

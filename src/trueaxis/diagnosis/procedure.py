@@ -14,7 +14,8 @@ from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.hidden_by_noise import in_noise_of_a_run, likeliest
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
-from trueaxis.diagnosis.null import Null, again, null_of, rougher, what_is_free
+from trueaxis.diagnosis.neighbours import disturbed
+from trueaxis.diagnosis.null import Null, again, left_out, null_of, rougher, what_is_free
 from trueaxis.diagnosis.prospect import prospect_of
 from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
@@ -64,10 +65,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
     null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
-    readings = readings_of(model, null.rows)
-    standing = standing_effects(readings)
-    free = refitted_columns(readings, standing)
-    null, ground, found, causes = _beside_causes(readings, free, null, options, standing)
+    null, ground, found, causes, standing = _undisturbed(model, null, options)
     ground, found, causes = with_best_periods(ground, found, causes, standing)
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
@@ -117,6 +115,21 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
     return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
+
+
+def _undisturbed(
+    model: MachineModel, null: Null, options: DiagnoseOptions
+) -> tuple[Null, Ground, Search, tuple[Fitted, ...], Sequence[Fitted]]:
+    """The search without readings whose disturbance would be taken for a cause."""
+    while True:
+        readings = readings_of(model, null.rows)
+        standing = standing_effects(readings)
+        free = refitted_columns(readings, standing)
+        beside, ground, found, causes = _beside_causes(readings, free, null, options, standing)
+        taken = disturbed(ground, found)
+        if not taken.any():
+            return beside, ground, found, causes, standing
+        null = _given(left_out(null, taken, options.noise_um), model, options)
 
 
 def _beside_causes(

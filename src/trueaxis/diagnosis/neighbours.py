@@ -1,0 +1,73 @@
+"""Causes that two neighbouring readings explain as well: these were disturbed, and are no sign of anything.
+
+Outliers are looked for before any cause, when nobody knows whether the noise of their run is larger than that of its
+instrument. What is named afterwards may rest on two of them still: a step of a laser where the readings before it, or
+after it, are two. Two readings that are left out take their part of every cause with them (deletion of cases; Cook and
+Weisberg, Residuals and Influence in Regression, 1982): a cause of more than these stays.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trueaxis.diagnosis.projection import Projection
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnosis.scan import LN10
+from trueaxis.diagnosis.search import RIVAL, Found, Ground, Search, beside_causes, whitened_columns
+from trueaxis.estimation.outliers import NEIGHBOURS, ROUNDING
+from trueaxis.estimation.tails import log_chi2_tail
+
+LOOKED_AT = 16  # readings that are looked at beside their neighbours: those that deviate most
+
+
+def disturbed(ground: Ground, found: Search) -> BoolArray:
+    """(n,): two neighbouring readings for each cause that they explain as well, and that is none beside them."""
+    taken = np.zeros(ground.values.size, dtype=bool)
+    for index, cause in enumerate(found.causes):
+        others = found.causes[:index] + found.causes[index + 1 :]
+        taken[_two(ground, beside_causes(ground, others), cause)] = True
+    return taken
+
+
+def _two(ground: Ground, base: Projection, cause: Found) -> Sequence[int]:
+    """The rows of two readings that explain as much as a cause, beside base; none where no two do."""
+    left, signal = base.rest(ground.values), base.rest(whitened_columns(ground, cause.signature))
+    back = ground.whitening.back(base.rest_transposed(np.column_stack([left, signal])))
+    products = np.column_stack([left, signal]).T @ np.column_stack([left, signal])
+    best, rows = cause.scan.preference - RIVAL, list[int]()
+    support = cause.signature.support
+    for pair in _pairs(ground, support, back[:, 0]):
+        explained, beside = explained_by(ground, base, pair, back, products)
+        # as many pairs are tried as readings that the cause acts on: its own preference counts its own places
+        preference = -log_chi2_tail(explained, NEIGHBOURS) / LN10 - float(np.log10(support.size))
+        lost = cause.scan.tries * np.exp(log_chi2_tail(beside, cause.scan.freedom))
+        if preference >= best and -np.log10(lost) < ground.threshold:
+            best, rows = preference, pair
+    return rows
+
+
+def _pairs(ground: Ground, support: IntArray, back: FloatArray) -> list[list[int]]:
+    """Rows of neighbours of a run, of which one is among those of the support that deviate most."""
+    run, weighed = ground.readings.rows.run, np.abs(back) * ground.whitening.sigma
+    far = support[np.argsort(-weighed[support], kind="stable")[:LOOKED_AT]].tolist()
+    firsts = sorted({one - before for one in far for before in range(NEIGHBOURS)})
+    return [[one, one + 1] for one in firsts if 0 <= one < run.size - 1 and run[one] == run[one + 1]]
+
+
+def explained_by(
+    ground: Ground, base: Projection, pair: list[int], back: FloatArray, products: FloatArray
+) -> tuple[float, float]:
+    """Chi squares: what two readings explain of what is left, and what the cause does beside them.
+
+    back: (n, 1 + k), what is left and the cause, as products with single readings; products: (1 + k, 1 + k) of them.
+    """
+    alone = np.zeros((back.shape[0], len(pair)))
+    alone[pair, range(len(pair))] = 1.0
+    white = ground.whitening(alone)
+    single = base.rest(white)
+    gram = single.T @ single
+    if (np.diag(gram) <= ROUNDING * np.sum(white**2, axis=0)).any():
+        return 0.0, np.inf
+    inside = back[pair].T @ np.linalg.pinv(gram, hermitian=True) @ back[pair]
+    rest = products - inside
+    return float(inside[0, 0]), float(rest[0, 1:] @ np.linalg.pinv(rest[1:, 1:], hermitian=True) @ rest[1:, 0])
