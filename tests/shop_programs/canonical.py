@@ -40,7 +40,7 @@ class Canon:
         self.g5x = self.g92 = self.tool = (0.0,) * 9
         self.at = [0.0] * 9  # machine coordinates in inches
         self.told = None  # what the module has been told of where the axes stand
-        self.changing, self.place = False, 0  # in the block of a tool change
+        self.changing, self.spindle = False, TOOLS[0]  # changing: in the block of a tool change
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -52,7 +52,7 @@ class Canon:
         self.line = state.sequence_number
         if 0 < self.line <= len(SAID) and (said := SAID[self.line - 1]):
             numbers = [tool for tool, *_ in TOOLS[1:]]
-            self.change_tool(1 + numbers.index(int(said[1])))
+            self.change_tool(1 + numbers.index(int(said[1])) if int(said[1]) else 0)
 
     def set_g5x_offset(self, _index, *values):
         self.g5x = values
@@ -86,8 +86,8 @@ class Canon:
         print("length", self.line, f"{values[2] * MM:.9f}")
 
     def change_tool(self, pocket):
-        print("tool", self.line, TOOLS[pocket][0])
-        self.place = pocket  # the tool in the spindle: get_tool(0)
+        self.spindle = TOOLS[pocket] if pocket else (0, 0.0, 0.0)
+        print("tool", self.line, self.spindle[0])
         self.changing = True
         self.stand()
 
@@ -140,8 +140,7 @@ class Canon:
         return 0o777
 
     def get_tool(self, pocket):
-        place = self.place if pocket == 0 else pocket
-        tool = TOOLS[place] if place < len(TOOLS) else (-1, 0.0, 0.0)
+        tool = self.spindle if pocket == 0 else TOOLS[pocket] if pocket < len(TOOLS) else (-1, 0.0, 0.0)
         return (tool[0], 0.0, 0.0, tool[1], *(0.0,) * 6, tool[2], 0.0, 0.0, 0)
 
     def get_block_delete(self):
