@@ -16,10 +16,8 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
-from trueaxis.diagnosis.noise_blocks import blocks_of
-from trueaxis.diagnosis.noise_fit import Guess, Likelihood
 from trueaxis.diagnosis.noise_precision import precision_of
-from trueaxis.diagnosis.result import BoolArray, NoiseOf
+from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.setup import Device
@@ -66,57 +64,6 @@ def test_noise_is_found_whatever_the_model_gets_wrong(slow: float) -> None:
     assert share.mean() == pytest.approx(slow, abs=0.25)
     white = np.array([one.white for one in found])
     assert white.mean() == pytest.approx(np.sqrt(1.0 - slow) * SIGMA, rel=0.12)
-
-
-def some_once(rows: Rows) -> BoolArray:
-    """(n,): the runs of every second set-up all, of the others the first alone."""
-    kept = np.ones(rows.size, dtype=bool)
-    for number in np.unique(rows.setup)[1::2]:
-        mine = rows.setup == number
-        kept[mine] = rows.run[mine] == rows.run[mine].min()
-    return kept
-
-
-def test_what_the_base_gets_wrong_of_runs_read_once_is_no_noise() -> None:
-    """Play that the base does not have, five times the noise, along whole legs: repeats of other runs tell the noise.
-
-    It was taken for slow noise, of all runs, as strong as the play of those that were read once.
-    """
-    case = prepared(Case(seed=1, design=DESIGN, noise="none", given="exact"))
-    rows = case.rows.only(some_once(case.rows))
-    base = base_of(case.model, rows)
-    play = 5.0 * SIGMA * np.sign(rows.directions.sum(axis=0))
-    clean, found = (
-        [noise_of(drawn(rows, seed) + wrong, rows, base).sigma for seed in range(DRAWS)] for wrong in (0.0, play)
-    )
-    assert np.mean(found) == pytest.approx(np.mean(clean), rel=0.15)
-    assert np.mean(clean) == pytest.approx(SIGMA, rel=0.15)
-
-
-def test_repeats_next_to_each_other_tell_no_misfit_from_slow_noise() -> None:
-    """Both are the same for neighbours then: slow noise stays as strong as it is."""
-    rows, base = measured()
-    numbers = rows.target.copy()
-    for one in base.runs:
-        numbers[one.rows.at] = numbers.max() + 1 + np.arange(one.rows.at.size) // 2
-    changed = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"target": numbers})
-    found = [noise_of(drawn(rows, seed, 0.6), changed, base) for seed in range(DRAWS)]
-    assert np.mean([(one.correlated / SIGMA) ** 2 for one in found]) > 0.35
-
-
-def test_slopes_of_the_likelihood_are_its_differences() -> None:
-    case = prepared(Case(seed=1, design=DESIGN, noise="none", given="exact"))
-    rows = case.rows.only(some_once(case.rows))
-    base = base_of(case.model, rows)
-    block = next(blocks_of(rows, base, drawn(rows, 2, 0.3)))
-    assert {one.leaning.shape[1] > 0 for one in block.parts} == {False, True}
-    of = Likelihood(block, [run.noise_group for run in base.runs], {"laser": Guess(SIGMA, 2.0, True)})
-    source = np.random.default_rng(5)
-    x = np.concatenate([[-0.2, 0.7, np.log(6.0), 0.5, 0.4, 1.3, 0.9], 0.1 * source.standard_normal(len(base.runs))])
-    _, slope = of(x)
-    for place in range(10):
-        step = 1e-4 * np.eye(x.size)[place]
-        assert slope[place] == pytest.approx((of(x + step)[0] - of(x - step)[0]) / 2e-4, rel=1e-4, abs=1e-3)
 
 
 def test_low_frequencies_are_as_strong_as_they_are() -> None:
@@ -268,7 +215,7 @@ def test_a_misfit_of_a_billion_times_the_noise_is_positive_definite() -> None:
     within = np.eye(24) - 0.25 * repeated @ repeated.T  # what repeats differ by alone is known
     for column in (np.tile(np.eye(4), 6).T[:, :1], repeated[:, :1], np.ones((24, 1))):
         own = column / np.linalg.norm(column)
-        precision, logarithm = precision_of([np.eye(12), np.eye(12)], 1e9 * repeated, own)
+        precision, logarithm = precision_of([np.eye(12), np.eye(12)], repeated, 1e9, own)
         assert np.isfinite(logarithm)
         contrast = within @ own
         size = float(np.linalg.norm(contrast))
@@ -285,7 +232,7 @@ def test_the_precision_is_that_of_the_whole_covariance(seed: int) -> None:
     repeated = np.eye(targets)[source.integers(0, targets, size=sizes.sum())]
     own = np.linalg.qr(source.standard_normal((sizes.sum(), 2)))[0]
     misfit = float(source.uniform(0.0, 5.0))
-    found, root = precision_of(noise, misfit * repeated, own)
+    found, root = precision_of(noise, repeated, misfit, own)
     inverse = np.linalg.inv(block_diag(*noise) + misfit**2 * repeated @ repeated.T)
     held = own.T @ inverse @ own
     dense = inverse - inverse @ own @ np.linalg.solve(held, own.T @ inverse)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.diagnosis.base import Base
-from trueaxis.diagnosis.noise_blocks import HELD, LEANS, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
+from trueaxis.diagnosis.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
 from trueaxis.diagnosis.noise_fit import Found, Guess, Law, restricted
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
 from trueaxis.diagnosis.rows import Rows
@@ -86,20 +86,19 @@ def noise_of_runs(
 
 def _guess(blocks: Sequence[Block], groups: Sequence[str], name: str) -> Guess:
     """Of the noise of a group of runs, by its repeats, and of the misfit of the base; else by what the base leaves."""
-    of_base, of_target, leans = [np.zeros(0)], [np.zeros(0)], False
+    of_base, of_target = [np.zeros(0)], [np.zeros(0)]
     for block in blocks:
         left, share = left_of(block)
         for one in block.parts:
             if groups[one.place[0]] == name:
                 of_base.append(np.abs(left[one.rows][share[one.rows] > HELD]))
                 of_target.append(np.abs(of_repeats(one, block.values[one.rows])))
-                leans |= one.told_apart > LEANS
     typical = [
         max(float(np.median(one)) / NORMAL_MEDIAN, SMALLEST) if one.size else SMALLEST
         for one in (np.concatenate(of_target), np.concatenate(of_base))
     ]
     repeated = sum(map(len, of_target)) > 0
-    return Guess(typical[0], typical[1] / typical[0], leans) if repeated else Guess(typical[1], 0.0, False)
+    return Guess(typical[0], typical[1] / typical[0]) if repeated else Guess(typical[1], 0.0)
 
 
 def _step(rows: Rows, base: Base, members: Sequence[int]) -> float:

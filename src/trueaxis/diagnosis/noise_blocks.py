@@ -24,8 +24,6 @@ ENOUGH = 1500  # contrasts: they tell the noise to 2 %
 GOLDEN = 0.6180339887498949  # its multiples, less whole numbers, are spread evenly
 FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
 HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
-LEANS = 8.0  # typical steps over which a misfit of the base is much the same: as usual of slow noise (noise_fit)
-ROUNDING = 1e-9
 ALTERNATIONS = 5  # of two projections: a first guess needs no more
 NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
 
@@ -33,13 +31,12 @@ NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal
 @dataclass(frozen=True, slots=True, eq=False)
 class Shapes:
     """Of a run of m readings, (m, m) of any two: gaps: typical steps between them; wander, settle: their covariance of
-    unit size; leans: that of a misfit that neighbours share, where no target is read again, else 0.
+    unit size.
     """
 
     gaps: FloatArray
     wander: FloatArray
     settle: FloatArray
-    leans: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -48,8 +45,7 @@ class Part:
     run, which are neighbours; of each of n readings: place: of its run among those of the base; target: of those of the
     part; passed: share of the duration of its run; when: typical steps since its start; own: (n, k), orthonormal, what
     is unknown of the instrument; repeated: (n, targets), 1 where it is of a target that is read more than once; alone:
-    (n,), whether it is of one that is read once; leaning: (n, targets), a root of the covariance of a misfit that
-    neighbouring targets share, of unit size, without columns where no target is read again.
+    (n,), whether it is of one that is read once.
     """
 
     rows: slice
@@ -61,22 +57,11 @@ class Part:
     runs: tuple[slice, ...]
     repeated: FloatArray
     alone: BoolArray
-    leaning: FloatArray
 
     @property
     def alike(self) -> FloatArray:
         """(n, n): 1 where two readings are of one target."""
         return np.asarray(self.target[:, np.newaxis] == self.target, dtype=np.float64)
-
-    @property
-    def told_apart(self) -> float:
-        """Typical steps between readings of a target, the middle of them; infinite where other runs read it."""
-        gaps = []
-        for target in np.flatnonzero(self.repeated.any(axis=0)):
-            at = np.flatnonzero(self.repeated[:, target])
-            run = np.searchsorted([one.stop for one in self.runs], at, side="right")
-            gaps += np.where(np.diff(run), np.inf, np.diff(self.when[at])).tolist()
-        return float(np.median(gaps)) if gaps else 0.0
 
     def shapes(self) -> list[Shapes]:
         """Of each run. To be asked for once."""
@@ -84,8 +69,7 @@ class Part:
         for here in self.runs:
             course, walk, when = settling(self.passed[here]), wandering(self.passed[here]), self.when[here]
             gaps = np.abs(when[:, np.newaxis] - when)
-            leans = np.exp(-gaps / LEANS) if self.alone.all() else np.zeros_like(gaps)
-            found.append(Shapes(gaps=gaps, wander=walk @ walk.T, settle=np.outer(course, course), leans=leans))
+            found.append(Shapes(gaps=gaps, wander=walk @ walk.T, settle=np.outer(course, course)))
         return found
 
 
@@ -179,30 +163,18 @@ def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> 
         own.append(orthonormal(base.own[number][here]))
         passed.append(run.passed[here])
         when.append(np.cumsum(run.steps)[here])
-    _, early, target, times = np.unique(rows.target[at], return_index=True, return_inverse=True, return_counts=True)
-    steps, alone = np.concatenate(when), times[target] == 1
-    leaning = np.zeros((at.size, 0)) if alone.all() else _leaning(place[at][early], steps[early])[target]
+    _, target, times = np.unique(rows.target[at], return_inverse=True, return_counts=True)
     return Part(
         rows=slice(start, start + at.size),
         place=place[at],
         target=target,
         passed=np.concatenate(passed),
-        when=steps,
+        when=np.concatenate(when),
         own=np.asarray(block_diag(*own)),
         runs=runs,
         repeated=np.asarray(target[:, np.newaxis] == np.flatnonzero(times > 1), dtype=np.float64),
-        alone=alone,
-        leaning=leaning,
+        alone=times[target] == 1,
     )
-
-
-def _leaning(place: IntArray, when: FloatArray) -> FloatArray:
-    """(targets, targets): a root of the covariance of a misfit that neighbours share. place: (targets,), of the run
-    that reads each first; when: typical steps until it does.
-    """
-    gaps = np.abs(when[:, np.newaxis] - when)
-    alike = np.where(place[:, np.newaxis] == place, np.exp(-gaps / LEANS), 0.0)
-    return np.asarray(np.linalg.cholesky(alike + ROUNDING * np.eye(when.size)))
 
 
 def left_of(block: Block) -> tuple[FloatArray, FloatArray]:

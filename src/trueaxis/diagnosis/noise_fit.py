@@ -18,15 +18,14 @@ from trueaxis.diagnosis.result import FloatArray
 from trueaxis.estimation.factors import few_of
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
-# the base at each target, and as its neighbours share it; all but the time constant, in typical steps, as shares of a
-# first guess
-START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3, 0.3)
-BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6), (0.0, 1e6))
-PER, AGE, MISFIT, LEAN = len(START), 2, 5, 6
+# the base; all but the time constant, in typical steps, as shares of a first guess
+START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3)
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6))
+PER, AGE, MISFIT = len(START), 2, 5
 # before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
 # units of the first guess
 USUAL = np.log(8.0)
-SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4)
+SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
 STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
@@ -37,13 +36,10 @@ FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
 
 @dataclass(frozen=True, slots=True)
 class Guess:
-    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated; leans: whether
-    repeats tell a misfit that neighbours share from slow noise: where they are farther apart than it lasts.
-    """
+    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
 
     noise: float
     misfit: float
-    leans: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +82,7 @@ class _Told:
 
     def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
         """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow
-        noise, wandering, settling and both misfits, mm^2, and by the logarithm of the age, of slow noise of unit size.
+        noise, wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
         """
         found = np.zeros(PER)
         found[0] = of_scale.sum()
@@ -97,12 +93,10 @@ class _Told:
             found[1] += np.vdot(half, slow)
             found[3] += np.vdot(half, shape.wander)
             found[4] += np.vdot(half, shape.settle)
-            found[LEAN] += np.vdot(half, shape.leans)
             found[AGE] += np.vdot(half * slow, shape.gaps) / age
-        for place, columns in ((MISFIT, self.part.repeated), (LEAN, self.part.leaning)):
-            shared = self.weighed @ columns
-            found[place] += 0.5 * (self.precision.within(columns) - float(shared @ shared))
-        found[MISFIT] += 0.5 * float(np.sum((of_scale / self.white)[self.part.alone]))
+        shared = self.weighed @ self.part.repeated
+        of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
+        found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))
         return found
 
     def of_scale(self) -> FloatArray:
@@ -134,8 +128,8 @@ class Likelihood:
         sizes = self.sizes(x)
         for one in told:
             unit = 2.0 * self.units[one.number]
-            _, slow, age, wanders, settles, misfit, leans = sizes[one.number]
-            by_size = [1.0, unit * slow, slow**2, unit * wanders, unit * settles, unit * misfit, unit * leans]
+            _, slow, age, wanders, settles, misfit = sizes[one.number]
+            by_size = [1.0, unit * slow, slow**2, unit * wanders, unit * settles, unit * misfit]
             of_scale = one.of_scale()
             slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
             slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
@@ -163,19 +157,16 @@ class Likelihood:
         squares, whole, of_values = np.zeros((count, count)), np.zeros(count), np.zeros(count)
         for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
-            level, slow, age, wanders, settles, misfit, leans = sizes[number]
+            level, slow, age, wanders, settles, misfit = sizes[number]
             white = (level * np.exp(x[self.count + part.place])) ** 2
             slowly = [np.exp(one.gaps / -age) for one in shapes]
             alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
             noise = []
             for of_slow, shape, here in zip(slowly, shapes, part.runs, strict=True):
                 of_run = slow**2 * of_slow + wanders**2 * shape.wander + settles**2 * shape.settle
-                of_run += leans**2 * shape.leans
                 of_run.ravel()[:: len(of_run) + 1] += alone[here]
                 noise.append(of_run)
-            misfits = [size * columns for size, columns in ((misfit, part.repeated), (leans, part.leaning)) if size]
-            shared = np.hstack([np.zeros((part.place.size, 0)), *misfits])
-            precision, of_part = precision_of(noise, shared, part.own)
+            precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
             root += of_part
             through = precision @ np.column_stack([few, values[part.rows]])
             inside = few.T @ through
@@ -221,10 +212,9 @@ def restricted(
     if before is not None and before.scales.size == len(instruments):
         start = of.parameters(before)
     for number, one in enumerate(first.values()):
-        # nothing tells them from noise
-        for place in (*[MISFIT] * (one.misfit == 0.0), *[LEAN] * (not one.leans)):
-            start[PER * number + place] = 0.0
-            bounds[PER * number + place] = (0.0, 0.0)
+        if one.misfit == 0.0:  # nothing tells it from noise
+            start[PER * number + MISFIT] = 0.0
+            bounds[PER * number + MISFIT] = (0.0, 0.0)
     x = minimize(
         of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
     ).x
@@ -251,10 +241,8 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     slopes, information = np.zeros((2, len(names), 3))
     freedom, sizes = np.zeros(len(names)), of.sizes(x)
     for one in of.told(x)[1]:
-        misfit, leans = sizes[one.number, [MISFIT, LEAN]]
-        # what it may be of readings that are alone is no noise that is known
+        misfit = sizes[one.number, MISFIT]  # what it may be of readings that are alone is no noise that is known
         of_base = misfit**2 * float(one.precision.diagonal()[one.part.alone].sum())
-        of_base += leans**2 * sum(map(np.vdot, one.precision.blocks(), [each.leans for each in one.shapes]))
         freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise)) - of_base
         slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
         whole = one.precision.dense()

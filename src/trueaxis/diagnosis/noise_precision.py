@@ -60,10 +60,12 @@ class Precision:
         return np.asarray(block_diag(*self.inverse) - self.taken.T @ self.taken)
 
 
-def precision_of(noise: Sequence[FloatArray], shared: FloatArray, own: FloatArray) -> tuple[Precision, float]:
+def precision_of(
+    noise: Sequence[FloatArray], repeated: FloatArray, misfit: float, own: FloatArray
+) -> tuple[Precision, float]:
     """Of the covariance less what own columns (n, k) take, and half the logarithms of the determinants.
 
-    noise: of the readings of each run, mm^2; shared: (n, k), mm, a root of what the misfit adds to it.
+    noise: of the readings of each run, mm^2; repeated: (n, targets), 1 where a reading is of a target; misfit: mm.
     """
     starts = np.cumsum([0, *(len(one) for one in noise)])
     inverse, root = [], 0.0
@@ -76,11 +78,11 @@ def precision_of(noise: Sequence[FloatArray], shared: FloatArray, own: FloatArra
         inverse.append(found.T)  # row by row in memory, as all else is
     of_noise = Precision(starts, tuple(inverse), np.zeros((0, int(starts[-1]))))
     precision = of_noise
-    if shared.shape[1]:
-        weighed = of_noise @ shared
-        factor = factor_of(np.eye(shared.shape[1]) + shared.T @ weighed)
+    if misfit > 0.0 and repeated.shape[1]:
+        shared = of_noise @ repeated
+        factor = factor_of(np.eye(repeated.shape[1]) + misfit**2 * (repeated.T @ shared))
         root += float(np.log(np.diag(factor)).sum())
-        precision = precision.less(solved(factor, weighed.T))
+        precision = precision.less(misfit * solved(factor, shared.T))
     if own.shape[1]:
         held = precision @ own
         factor = factor_less_misfit(own.T @ held, np.einsum("ij,ij->j", own, of_noise @ own))
