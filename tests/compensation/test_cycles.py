@@ -81,6 +81,16 @@ def test_the_text_of_a_cycle(bench: Bench) -> None:
     assert any("a canned cycle is written out" in note for note in bench.report.notes)
 
 
+def test_a_peck_of_the_whole_hole_and_the_exact_path_of_linuxcnc_are_noted(bench: Bench) -> None:
+    """Q in thousandths under --integers mm made one plunge of all pecks."""
+    program = "G21 G90 G64\nG0 X0. Y0. Z20.\nG98 G83 X5. Y5. Z-20. R3. Q{} F100\nX9.\nG80\n"
+    for peck, dialect, noted in (("5.", "linuxcnc", (0, 1)), ("5000", "linuxcnc", (1, 1)), ("5.", None, (0, 0))):
+        kind: Any = dialect
+        bench.run(program.format(peck), XyzMachine(), dialect=kind)
+        notes = [note for note in bench.report.notes if note.startswith("line 3")]
+        assert tuple(sum(said in note for note in notes) for said in ("in one peck", "exact path mode")) == noted
+
+
 def test_boring_stops_the_spindle(bench: Bench) -> None:
     text = bench.run("G21 G90 M4\nG0 X0. Y0. Z20.\nG99 G86 X1. Z-3. R1. F60\n").decode().splitlines()
     assert text[2:] == ["F60 G0 X1.000", "G0 Z1.000", "G1 Z-3.000", "M5", "G0 Z1.000", "M4"]

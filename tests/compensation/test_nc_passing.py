@@ -101,7 +101,9 @@ def test_optional_blocks(bench: Bench) -> None:
     program = "G0 X0. Y0. Z0.\n/ G1 X1. F5\n/2 M8\nX5.\n"
     machine = XyzMachine({"EXX": lambda x: 1e-3 * x})
     assert execute(bench.run(program, machine, block_delete="run"))[0] == pytest.approx([0, 0.999, 4.995], abs=1e-9)
+    assert any("a block with / is taken to be run" in note for note in bench.report.notes)
     skipped = bench.run(program.replace("X5.", "G1 X5."), machine, block_delete="skip")
+    assert any("a block with / is taken to be skipped" in note for note in bench.report.notes)
     assert b"/ G1 X1. F5\n/2 M8\n" in skipped
     assert np.allclose(execute(skipped.replace(b"/ G1 X1. F5\n", b""))[0], [0, 4.995])
 

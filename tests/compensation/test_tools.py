@@ -177,9 +177,18 @@ def test_the_length_follows_a_tool_number_that_is_said(bench: Bench) -> None:
 
 def test_the_tool_in_the_spindle_is_one_of_those_given(bench: Bench) -> None:
     for kwargs in ({"spindle_tool": 9, "tools": TABLE}, {"spindle_tool": 1}):
-        with pytest.raises(ValueError, match=r"tool \d is in the spindle, and is not in --tools"):
+        with pytest.raises(ValueError, match=r"tool \d is in the spindle .*not (in|known: say) --tools"):
             bench.run("G21 G90\nG0 X1.\n", paper_sized(), **kwargs)
     bench.run("G21 G90\nG0 X1.\n", paper_sized(), spindle_tool=0)
+
+
+def test_a_table_that_is_wrong_is_the_only_fault(tmp_path: Path) -> None:
+    """With --spindle-tool it ended in a traceback."""
+    (tmp_path / "tool.tbl").write_text("T1 P1 Zten\n")
+    options = ["--tools", str(tmp_path / "tool.tbl"), "--spindle-tool", "1"]
+    with pytest.raises(InputError, match="line 1: ") as refused:
+        command(tmp_path, "G21 G90\nG0 X1. Y1. Z1.\n", *options)
+    assert [fault.file for fault in refused.value.faults] == [str(tmp_path / "tool.tbl")]
 
 
 def test_the_length_of_another_tool_is_said(bench: Bench) -> None:

@@ -10,12 +10,15 @@ from pathlib import Path
 
 import pytest
 
+from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import execute
 from tests.shop_programs.grade import OFFSETS, grade
 from tests.shop_programs.interpreter import run
 from trueaxis.cli.main import main
 from trueaxis.compensation import via_linuxcnc
+from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
@@ -148,6 +151,19 @@ def test_a_speed_along_the_surface_passes(tmp_path: Path, via: bool) -> None:
     assert grade(program, PACKAGE, tmp_path, via=via).outcome == "accepted"
     written = (tmp_path / "out.ngc").read_text()
     assert ("G96 D2500 S60.96" if via else "G96 D2500 S200 M3") in written
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+@pytest.mark.parametrize("via", [None, PACKAGE])
+def test_rapids_to_the_end_of_the_travel_are_no_fault(tmp_path: Path, via: Path | None) -> None:
+    """G53 is kept: what a program of the shop ends with went beyond the travel when it was compensated."""
+    (tmp_path / "in.ngc").write_text("G21 G90 G54\nG0 X1 Y1 Z1\nG1 X9 F100\nG53 G0 Z600\nM2\n")
+    made = paper_sized()
+    machine = XyzMachine(made.curves, made.squareness, travel=dict.fromkeys("XYZ", (-600.0, 600.0)))
+    settings = Settings(dialect="linuxcnc", offsets=Offsets({"G54": dict.fromkeys("XYZ", (300.0, 300.0))}, {}, "G54"))
+    report = compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", machine, settings, via_linuxcnc=via)
+    assert report.good
+    assert "G53 G0" in (tmp_path / "out.ngc").read_text()
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")

@@ -122,7 +122,7 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
         written = run(out, package, LENGTHS, OFFSETS)
         if written.problem:
             return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
-        graded = _compared(name, kind, source, written, tried)
+        graded = _compared(name, kind, source, written, tried, settings.spindle_tool or 0)
         if via and graded.outcome == "accepted" and (problem := _other_modes(program, out, folder, package)):
             return replace(graded, outcome="wrong", reason=problem)
         return graded
@@ -152,7 +152,8 @@ def _refusal(program: Path, out: Path, settings: Settings, via: Path | None) -> 
     return "" if report.good else "exit code 1: an error above the tolerance is left, and reported"
 
 
-def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Grade:
+def _compared(name: str, kind: str, source: Ran, written: Ran, start: str, first_tool: int) -> Grade:
+    """first_tool: in the spindle before the program, where that was told; 0: no tool."""
     made = machine()
     meant, done = _runs(source), _runs(written)
     moves = (source.moves, written.moves)
@@ -166,7 +167,7 @@ def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Gr
             return Grade(name, kind, "wrong", "an axis is moved that the program does not command", moves=moves)
         if a.tool != b.tool and b.tool:  # 0: none has come, and lengths are in the words
             return Grade(name, kind, "wrong", "another tool", moves=moves)
-        point = np.array([[0.0], [0.0], [-LENGTHS.get(a.tool, 0.0)]])
+        point = np.array([[0.0], [0.0], [-LENGTHS.get(a.tool or first_tool, 0.0)]])
         path, was, now = made.ideal(a.points, point), made.actual(a.points, point), made.actual(b.points, point)
         for points in (path, was, now):  # an axis that is not commanded has no place that was meant
             points[a.free] = 0.0

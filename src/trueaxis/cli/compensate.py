@@ -263,10 +263,10 @@ def run(args: argparse.Namespace) -> int:
     draws = draws_of(args, found)
     with gathering(found):
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
+    tools, args.tools = args.tools, None
     with gathering(found):
-        args.tools = None if args.tools is None else read_tools(args.tools)
-    args.touched_off = tuple(args.touched_off)
-    with gathering(found):
+        args.tools = None if tools is None else read_tools(tools)
+        args.touched_off = tuple(args.touched_off)
         settings = _settings(args)
     model = covariance = None
     with gathering(found):

@@ -28,6 +28,7 @@ from trueaxis.compensation.klartext_blocks import (
     tool_call,
 )
 from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import Meaning
@@ -74,8 +75,7 @@ class KlartextReader:
         state = self._state
         if is_marked(text):
             self._faults.add(number, *COMPENSATED_ALREADY)
-        if number == 1:
-            text = text.removeprefix(BYTE_ORDER_MARK)
+        text = text.removeprefix(BYTE_ORDER_MARK) if number == 1 else text
         body = text.rstrip("\r\n")
         if problem := too_long(body):
             self._faults.add(number, problem)
@@ -85,13 +85,13 @@ class KlartextReader:
             return [text]
         _, optional, rest = head_of(body)
         block = lex_klartext(body)
-        if optional and self._settings.block_delete == "skip":
-            return [text]
-        if optional and self._settings.block_delete == "fault":
-            self._faults.add(
-                number, "whether this block with / is run depends on a switch",
-                "say --block-delete run or --block-delete skip",
-            )  # fmt: skip
+        if optional and (delete := self._settings.block_delete) == "fault":
+            problem = "whether this block with / is run depends on a switch"
+            self._faults.add(number, problem, "say --block-delete run or --block-delete skip")
+        elif optional:
+            self._notes.add(number, SWITCH[delete])
+            if delete == "skip":
+                return [text]
         content = rest.partition(";")[0].replace("~", " ")
         if block.verb and block.verb not in ("CT", "CTP", "LN", "LT"):
             return self._path(number, text, block)

@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 
@@ -58,13 +58,15 @@ def unrolled_program(
     axes: Sequence[str] = AXES,
     kept: bool = False,
     tool: int | None = None,
+    machine_lines: Collection[int] = (),
 ) -> Unrolled:
     """The motions and calls in order as blocks; axes: those of the machine: others get no word while they stand at 0;
-    kept: whether a tool change moves no axis; tool: in the spindle before the program, None: not known.
+    kept: whether a tool change moves no axis; tool: in the spindle before the program, None: not known; machine_lines:
+    of the source, with G53.
 
     Raises ValueError with what is not written, and its line.
     """
-    writer = _Writer(Modes(tools, tool), axes, kept)
+    writer = _Writer(Modes(tools, tool), axes, kept, machine_lines)
     blocks = [*((text, 1) for text in HEAD), *_blocks(writer, made)]
     return Unrolled(
         "".join(f"{text}\n" for text, _ in blocks), tuple(line for _, line in blocks), writer.modes.first_tool,
@@ -133,8 +135,8 @@ def spline_motions(remaining: deque[Motion | Call], call: Call, at: Sequence[flo
 class _Writer:
     """What is in force: positions (at), plane, increments, and modes."""
 
-    def __init__(self, modes: Modes, axes: Sequence[str], kept: bool) -> None:
-        self._kept = kept
+    def __init__(self, modes: Modes, axes: Sequence[str], kept: bool, machine_lines: Collection[int]) -> None:
+        self._kept, self._machine_lines = kept, machine_lines
         self.modes = modes
         self._unknown: list[float | None] = [None if axis in axes else 0.0 for axis in AXES]
         self.at = self._unknown
@@ -151,7 +153,9 @@ class _Writer:
             yield "G90" if self._absolute else "G91"
         rate = 0.0 if motion.kind == "rapid" else self.modes.feed(turns=_turns_alone(motion))
         fed = f" F{written(rate)}" if rate else ""
-        yield _increments(motion, fed) if by_ways else _block(motion, self.at, fed)
+        # in machine coordinates it goes as far as the travel, and its words may stay there
+        frame = "G53 " if motion.line in self._machine_lines and motion.kind == "rapid" else ""
+        yield _increments(motion, fed) if by_ways else _block(motion, self.at, fed, frame)
         self.at = [before if value is None else value for before, value in zip(self.at, motion.end, strict=True)]
 
     def call(self, call: Call) -> Iterator[str]:
@@ -191,7 +195,7 @@ def _increments(motion: Motion, feed: str) -> str:
     return f"{_number(motion)}{'G0' if motion.kind == 'rapid' else 'G1'} {' '.join(ways)}{feed}"
 
 
-def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
+def _block(motion: Motion, at: Sequence[float | None], feed: str, frame: str) -> str:
     code = {"rapid": "G0", "feed": "G1"}.get(motion.kind) or ("G3" if motion.turns > 0 else "G2")
     words = [
         f"{axis}{value:.7f}"
@@ -211,4 +215,4 @@ def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
             words.append(f"P{abs(motion.turns)}")
     if not words:  # a motion to where the axes are: nothing moves
         return _number(motion).rstrip()
-    return f"{_number(motion)}{code} {' '.join(words)}{feed}"
+    return f"{_number(motion)}{frame}{code} {' '.join(words)}{feed}"

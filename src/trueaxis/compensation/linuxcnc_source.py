@@ -33,6 +33,7 @@ _COMPUTED = r"G[#\[]|#[#\[]"  # codes, and numbers of parameters
 _POINTS = {"G28": re.compile(rf"(?i)G0*28(?!\d)|#0*516\d|{_COMPUTED}"),
            "G30": re.compile(rf"(?i)G0*30(?!\d)|#0*518\d|{_COMPUTED}")}  # fmt: skip
 _OFFSETS = re.compile(r"(?i)G0*10(?!\d)|G[#\[]|#0*5(?:2[2-9]|3\d)\d=(?!=)|#[#\[][^=]*=(?!=)")
+_MACHINE = re.compile(r"(?i)G0*53(?![\d.])")
 _MAIN_AGAIN = re.compile(r"(?i)M0*99(?!\d)")
 FROM_CONTROL = "the value itself in the program"
 FROM_FILE = "set it in the program, or give the control's parameters: --offsets FILE.var"
@@ -93,6 +94,11 @@ def _blocks(source: bytes) -> Iterator[str]:
     """The blocks without comments and blanks, which LinuxCNC does not read."""
     for line in source.decode("latin-1").split("\n"):
         yield re.sub(r"[ \t]", "", _COMMENTS.sub("", line))
+
+
+def machine_lines(source: bytes) -> frozenset[int]:
+    """Lines of blocks in machine coordinates (G53)."""
+    return frozenset(number for number, block in enumerate(_blocks(source), 1) if _MACHINE.search(block))
 
 
 def may_use_point(source: bytes, code: str) -> bool:

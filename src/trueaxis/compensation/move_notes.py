@@ -1,18 +1,31 @@
 """Notes on moves whose words are not what one might expect."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from trueaxis.compensation.machine import FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Kind, Notes
+from trueaxis.compensation.nc_state import Cycle
 from trueaxis.compensation.path import Held, MoveTable, alike
+from trueaxis.compensation.settings import Settings
 
 HELD = (
-    "gets no word here, and its error is left: the program has not commanded it to a position since its start, "
-    "or since the last tool change or stop"
+    "gets no word here, and its error is left: the program has not commanded it to a position in this frame "
+    "since its start, or since the last tool change or stop"
 )
+_SWITCH = "a block with / is taken to be {}: what follows is right only with the switch of the control so"
+SWITCH = {"run": _SWITCH.format("run"), "skip": _SWITCH.format("skipped")}  # by what --block-delete says
 TURNS_ALONE = (
     "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
+WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
+EXACT = (
+    "LinuxCNC drills in exact path mode, and then puts G64 in force again; written out, the mode of the program "
+    "counts, and G64 may round the way from hole to hole at its corners: write G61 before the cycle, G64 behind it"
+)
+ONE_PECK = "Q is no less than the way from R to Z: each hole is drilled in one peck"
+PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
 
 def note_held(moves: MoveTable, held: Held, axes: tuple[str, ...], notes: Notes) -> None:
@@ -32,3 +45,14 @@ def note_turns(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], notes
     alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
     for line in moves.lines[alone & (moves.motion == Kind.LINE)].tolist():
         notes.add(line, TURNS_ALONE)
+
+
+def notes_of_cycle(cycle: Cycle, settings: Settings) -> Iterator[str]:
+    """What is to be said of a cycle that is written out."""
+    yield WRITTEN_OUT
+    if settings.dialect == "linuxcnc" and not settings.judged:
+        yield EXACT
+    if cycle.pecks:
+        yield PECKS.format(settings.peck_return)
+        if cycle.z is not None and cycle.r is not None and cycle.peck >= (cycle.r if cycle.absolute else 0.0) - cycle.z:
+            yield ONE_PECK

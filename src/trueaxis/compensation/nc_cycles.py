@@ -17,6 +17,7 @@ from trueaxis.compensation.cycle_blocks import (
     steps,
 )
 from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.move_notes import notes_of_cycle
 from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes, Start
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
@@ -27,8 +28,6 @@ from trueaxis.compensation.settings import Settings
 MOST_REPEATS = 10_000
 KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
 STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
-WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
-PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
 
 class CycleError(Exception):
@@ -75,9 +74,7 @@ class CycleReader:
             return self._stored(number, line, body, block, meaning, again)
         if cycle.code in self._kept:
             return self._kept_hole(number, line, body, block, meaning, cycle)
-        self._notes.add(number, WRITTEN_OUT)
-        if cycle.pecks:
-            self._notes.add(number, PECKS.format(self._settings.peck_return))
+        self._note(number, cycle)
         writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
         self._holes(cycle, meaning, writer)
         return writer.finished()
@@ -288,6 +285,10 @@ class CycleReader:
 
     def note_further(self, number: int, holes: int) -> None:
         """Note further holes from a line on."""
-        self._notes.add(number, WRITTEN_OUT, holes)
-        if self._state.cycle is not None and self._state.cycle.pecks:
-            self._notes.add(number, PECKS.format(self._settings.peck_return), holes)
+        if self._state.cycle is not None:
+            self._note(number, self._state.cycle, holes)
+
+    def _note(self, number: int, cycle: Cycle, holes: int = 1) -> None:
+        """Note holes that are written out."""
+        for text in notes_of_cycle(cycle, self._settings):
+            self._notes.add(number, text, holes)

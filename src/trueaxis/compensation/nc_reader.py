@@ -15,6 +15,7 @@ from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensation.nc_block import interpret
 from trueaxis.compensation.nc_cycles import CycleReader
@@ -115,6 +116,7 @@ class NcReader:
         optional = _OPTIONAL.match(body, lead)
         if optional:
             if self._settings.block_delete == "skip":
+                self._notes.add(number, SWITCH["skip"])
                 return [line]
             lead = optional.end()
         named = _NAME.fullmatch(text)
@@ -122,10 +124,12 @@ class NcReader:
         for text in meaning.notes:
             self._notes.add(number, text)
         meaning.program_number |= named is not None or (aligned is not None and not block.words)
-        if optional and self._settings.block_delete == "fault" and self._depends(meaning):
-            meaning.complain(
-                "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
-            )
+        if optional and self._depends(meaning):
+            if self._settings.block_delete == "fault":
+                problem = "whether this block with / is run depends on a switch"
+                meaning.complain(problem, "say --block-delete run or --block-delete skip")
+            else:
+                self._notes.add(number, SWITCH["run"])
         return self._block(number, line, body, block, meaning, optional[0] if optional else "")
 
     def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning]:

@@ -209,7 +209,7 @@ class ToolReader:
         if tool == 0:
             return Tool()
         if self._table is not None and tool not in self._table.tools:
-            self._faults.add(number, f"tool {tool} is not in --tools", f"its length, as that of tool {tool}")
+            self._faults.add(number, f"tool {tool} is not in --tools", f"add tool {tool} with its length")
         return Tool() if self._table is None else self._table.tools.get(tool, Tool())
 
     def _lengths(self, number: int, tool: Tool) -> list[float]:

@@ -110,7 +110,8 @@ class Settings:
     def _unknown_tool(self) -> Iterator[str]:
         """The tool in the spindle where it is none of those that are given."""
         if self.spindle_tool and (self.tools is None or self.spindle_tool not in self.tools.tools):
-            yield f"tool {self.spindle_tool} is in the spindle, and is not in --tools"
+            problem = "not in --tools" if self.tools else "not known: say --tools FILE"
+            yield f"tool {self.spindle_tool} is in the spindle (--spindle-tool), and is {problem}"
 
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""

@@ -26,6 +26,7 @@ from trueaxis.compensation.linuxcnc_source import (
     control_faults,
     end_faults,
     fault_of,
+    machine_lines,
     marked_source,
     may_use_point,
 )
@@ -102,7 +103,7 @@ def unroll(
     _check_offsets(rounds[0], offsets, axes, name)
     _check_end(rounds[0], given, name)
     try:
-        return unrolled_program(_made(rounds), of_number, axes, kept, tool)
+        return unrolled_program(_made(rounds), of_number, axes, kept, tool, machine_lines(given))
     except ValueError as problem:
         line, text = problem.args
         raise InputError([Fault(name, f"line {line}", text)]) from None
