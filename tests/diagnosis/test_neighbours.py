@@ -36,6 +36,17 @@ def test_a_step_of_three_readings_stays(count: int, size: float) -> None:
     assert not disturbed(ground, found).any()
 
 
+def test_a_cause_beyond_any_doubt_stays_beside_readings_that_are_far_off() -> None:
+    """The chance that is left of it is too small for a number."""
+    where = field()
+    ground, off = planted(where, 18, 200.0)
+    found = search(ground)
+    values = noise_of(where, 3)
+    values[off] += 200.0 * SIGMA
+    values[off[5:7]] += 5000.0 * SIGMA
+    assert not disturbed(where.ground(values), found).any()
+
+
 def test_what_two_readings_explain_is_that_of_least_squares_with_both_free() -> None:
     """Generalised least squares on all readings, written out, with two columns of their own and with the cause."""
     where = field()

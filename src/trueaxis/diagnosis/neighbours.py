@@ -17,7 +17,9 @@ from trueaxis.diagnosis.search import RIVAL, Found, Ground, Search, beside_cause
 from trueaxis.estimation.outliers import NEIGHBOURS, ROUNDING
 from trueaxis.estimation.tails import log_chi2_tail
 
-LOOKED_AT = 16  # readings that are looked at beside their neighbours: those that deviate most
+# readings that are looked at beside their neighbours, those that deviate most: each costs a projection of all readings,
+# and of two that explain as much as a cause one is among the farthest
+LOOKED_AT = 16
 
 
 def disturbed(ground: Ground, found: Search) -> BoolArray:
@@ -31,19 +33,24 @@ def disturbed(ground: Ground, found: Search) -> BoolArray:
 
 def _two(ground: Ground, base: Projection, cause: Found) -> Sequence[int]:
     """The rows of two readings that explain as much as a cause, beside base; none where no two do."""
-    left, signal = base.rest(ground.values), base.rest(whitened_columns(ground, cause.signature))
-    back = ground.whitening.back(base.rest_transposed(np.column_stack([left, signal])))
-    products = np.column_stack([left, signal]).T @ np.column_stack([left, signal])
+    both = base.rest(np.column_stack([ground.values, whitened_columns(ground, cause.signature)]))
+    back, products = ground.whitening.back(base.rest_transposed(both)), both.T @ both
     best, rows = cause.scan.preference - RIVAL, list[int]()
     support = cause.signature.support
     for pair in _pairs(ground, support, back[:, 0]):
         explained, beside = explained_by(ground, base, pair, back, products)
         # as many pairs are tried as readings that the cause acts on: its own preference counts its own places
-        preference = -log_chi2_tail(explained, NEIGHBOURS) / LN10 - float(np.log10(support.size))
-        lost = cause.scan.tries * np.exp(log_chi2_tail(beside, cause.scan.freedom))
-        if preference >= best and -np.log10(lost) < ground.threshold:
+        preference = _decades(explained, NEIGHBOURS, support.size)
+        if preference >= best and _decades(beside, cause.scan.freedom, cause.scan.tries) < ground.threshold:
             best, rows = preference, pair
     return rows
+
+
+def _decades(square: float, freedom: int, tries: float) -> float:
+    """Of evidence, by a chi square at the best of so many places. In logarithms: the chance itself may be too small for
+    a number.
+    """
+    return -log_chi2_tail(square, freedom) / LN10 - float(np.log10(tries))
 
 
 def _pairs(ground: Ground, support: IntArray, back: FloatArray) -> list[list[int]]:
@@ -59,15 +66,16 @@ def explained_by(
 ) -> tuple[float, float]:
     """Chi squares: what two readings explain of what is left, and what the cause does beside them.
 
-    back: (n, 1 + k), what is left and the cause, as products with single readings; products: (1 + k, 1 + k) of them.
+    pair: their rows; back: (n, 1 + k), 1/mm, products of what is left and of the cause with single readings; products:
+    (1 + k, 1 + k), of what is left and the cause, whitened.
     """
     alone = np.zeros((back.shape[0], len(pair)))
     alone[pair, range(len(pair))] = 1.0
     white = ground.whitening(alone)
     single = base.rest(white)
     gram = single.T @ single
-    if (np.diag(gram) <= ROUNDING * np.sum(white**2, axis=0)).any():
-        return 0.0, np.inf
+    if (np.diag(gram) <= ROUNDING * np.sum(white**2, axis=0)).any():  # nothing is left of a reading
+        return 0.0, float(products[0, 0])
     inside = back[pair].T @ np.linalg.pinv(gram, hermitian=True) @ back[pair]
     rest = products - inside
     return float(inside[0, 0]), float(rest[0, 1:] @ np.linalg.pinv(rest[1:, 1:], hermitian=True) @ rest[1:, 0])
