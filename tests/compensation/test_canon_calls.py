@@ -4,6 +4,7 @@ The judge is `rs274`, which src does not use: motions, modes in force, spindle, 
 source and of what is written, with the same table of tools and the same parameters.
 """
 
+from itertools import groupby
 from pathlib import Path
 
 import pytest
@@ -52,6 +53,36 @@ def compensated(folder: Path, text: str, tools: str = "", suffix: str = ".tbl") 
         start=dict.fromkeys("XYZ", 0.0), pass_m=(0, 1, 6, 60),
     )  # fmt: skip
     return compensate_file(folder / "in.ngc", folder / "out.ngc", MACHINE, settings, via_linuxcnc=PACKAGE)
+
+
+@pytest.mark.parametrize(
+    "blocks",
+    [
+        "G64 P.05 Q.01\nG0 X9 Y9\nG81 X10 Y10 Z-1 R2 F50\nX20\nY30\nX40\nX50\nX60\nX70\nG80\nG1 X30 F80\n",
+        "G64\nG0 X9 Y9\nG99 G83 X10 Y10 Z-1 R2 Q.5 F50\nX20\nG64 P.1\nX30\nG64 P.2\nG1 Y30 F80\n",
+        "G61\nG0 X9 Y9\nG82 X10 Y10 Z-1 R2 P.5 F50\nG64 P.2\nG1 Y30 F80\nG89 Y40 Z-1 R2 P.5\nG1 Y30\nG61\nX2\n",
+        "G20 G64 P.01 Q.004\nG0 X.9 Y.9\nG73 X1 Y1 Z-.1 R.1 Q.05 F5\nX2\nG1 X3 F9\n",
+    ],
+)
+def test_cycles_that_are_written_out_go_in_the_path_mode_of_linuxcnc(tmp_path: Path, blocks: str) -> None:
+    """They went in that of the program, G64. Nothing here is unrolled by the interpreter."""
+    text = f"{HEAD}{blocks}M2\n"
+    (tmp_path / "tool.tbl").write_text(table(1.0))
+    (tmp_path / "control.var").write_text("".join(f"{n}\t{v:.6f}\n" for n, v in sorted(parameters(1.0).items())))
+    (tmp_path / "in.ngc").write_text(text)
+    settings = Settings(
+        dialect="linuxcnc", offsets=read_offsets(tmp_path / "control.var"), tools=read_tools(tmp_path / "tool.tbl"),
+        integers="mm",
+    )  # fmt: skip
+    assert compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, settings).good
+    source = calls_of(tmp_path / "in.ngc", tmp_path / "source", table(INCH), parameters(INCH), package=PACKAGE)
+    written = calls_of(tmp_path / "out.ngc", tmp_path / "written", table(INCH), parameters(INCH), package=PACKAGE)
+    modes = [
+        [mode for mode, _ in groupby((one.modes["path"], one.modes["P"], one.modes["Q"]) for one in made if one.end)]
+        for made in (source, written)
+    ]
+    assert modes[0] == modes[1]
+    assert len(modes[0]) > 2
 
 
 def check(folder: Path, text: str, scale: float = INCH, **more: str) -> None:

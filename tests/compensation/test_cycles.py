@@ -91,6 +91,42 @@ def test_a_peck_of_the_whole_hole_and_the_exact_path_of_linuxcnc_are_noted(bench
         assert tuple(sum(said in note for note in notes) for said in ("in one peck", "exact path mode")) == noted
 
 
+@pytest.mark.parametrize(
+    ("blocks", "modes"),
+    [
+        ("G64 P0.05 Q0.01\nCYCLE\nX9.\nG80\nG0 X1.", ["G64 P0.05 Q0.01", "G61", "hole", "G64 P0.05 Q0.01"]),
+        ("G64\nCYCLE\nX9.\nG0 X1.", ["G64", "G61", "hole", "G64"]),
+        ("G64 P0.002\nG64 P0.05\nCYCLE\nX9.\nM30", ["G64 P0.002", "G64 P0.05", "G61", "hole", "G64 P0.05"]),
+        ("G20 G64 P0.002\nG21\nCYCLE\nX9.\nG80", ["G64 P0.002", "G61", "hole", "G64 P0.0508"]),
+        ("CYCLE\nX9.\nG80\nCYCLE\nG80", ["G61", "hole"]),
+        ("G61\nCYCLE\nG80", ["G61", "hole"]),
+        ("G61.1\nCYCLE\nG80", ["G61.1", "hole"]),
+        ("G64 P1\nCYCLE\nG64 P0.1\nX9.\nG80 G64 P1", ["G64 P1", "G61", "hole", "G64 P0.1", "G61", "hole", "G64 P1"]),
+        ("G64 P1\nCYCLE\nG61\nX9.\nG80", ["G64 P1", "G61", "hole", "G61", "hole"]),
+    ],
+)
+def test_what_is_drilled_is_drilled_in_exact_path_mode(bench: Bench, blocks: str, modes: list[str]) -> None:
+    """LinuxCNC does so; under G64 the bottom of a hole may be cut short."""
+    cycle, further = "G98 G83 X5. Y5. Z-20. R3. Q8. F100", "".join(f"X{10 + x}.\n" for x in range(20))
+    program = f"G21 G90\nG0 X0. Y0. Z20.\n{blocks.replace('CYCLE', cycle).replace('X9.', further)}\n"
+    found: list[str] = []
+    for line in bench.run(program, dialect="linuxcnc", integers="mm").decode().splitlines():
+        said = re.search(r"G6[14].*(?<! G21)", line.removesuffix(" G21"))
+        if said or ("Z-20" in line and found[-1:] != ["hole"]):
+            found.append(said[0] if said else "hole")
+    assert found == modes
+    assert sum("exact path mode" in note for note in bench.report.notes) == (modes.count("G61") > blocks.count("G61\n"))
+    if "CYCLE\nG64" not in blocks:
+        assert bench.run(program, integers="mm").decode().count("G61") == blocks.count("G61")
+
+
+def test_p_and_q_are_of_the_path_or_of_the_cycle(bench: Bench) -> None:
+    head = "G21 G90\nG0 X0. Y0. Z20.\nG98 G83 X5. Y5. Z-20. R3. Q8. F100\n"
+    assert bench.run(f"{head}G64 P1 Q1\nX9.\n", dialect="linuxcnc").decode().count("Z-5.000") == 2
+    with pytest.raises(InputError, match="whose P and Q are is not determined; make it two blocks"):
+        bench.run(f"{head}G64 P1 Q1 X9.\n", dialect="linuxcnc")
+
+
 def test_boring_stops_the_spindle(bench: Bench) -> None:
     text = bench.run("G21 G90 M4\nG0 X0. Y0. Z20.\nG99 G86 X1. Z-3. R1. F60\n").decode().splitlines()
     assert text[2:] == ["F60 G0 X1.000", "G0 Z1.000", "G1 Z-3.000", "M5", "G0 Z1.000", "M4"]

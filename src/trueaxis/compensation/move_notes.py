@@ -20,10 +20,6 @@ TURNS_ALONE = (
     "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
-EXACT = (
-    "LinuxCNC drills in exact path mode, and then puts G64 in force again; written out, the mode of the program "
-    "counts, and G64 may round the way from hole to hole at its corners: write G61 before the cycle, G64 behind it"
-)
 ONE_PECK = "Q is no less than the way from R to Z: each hole is drilled in one peck"
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
@@ -50,8 +46,6 @@ def note_turns(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], notes
 def notes_of_cycle(cycle: Cycle, settings: Settings) -> Iterator[str]:
     """What is to be said of a cycle that is written out."""
     yield WRITTEN_OUT
-    if settings.dialect == "linuxcnc" and not settings.judged:
-        yield EXACT
     if cycle.pecks:
         yield PECKS.format(settings.peck_return)
         if cycle.z is not None and cycle.r is not None and cycle.peck >= (cycle.r if cycle.absolute else 0.0) - cycle.z:

@@ -74,13 +74,19 @@ def interpret(
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
     _cancels(meaning)
     _look_ahead(meaning, settings)
-    _tool_number(meaning, settings.dialect)
+    _on_linuxcnc(meaning, settings.dialect)
     return meaning
 
 
-def _tool_number(meaning: Meaning, dialect: str | None) -> None:
-    """M61 Q of LinuxCNC: which tool is in the spindle."""
-    if dialect != "linuxcnc" or codes.TOOL_NUMBER not in meaning.miscellaneous:
+def _on_linuxcnc(meaning: Meaning, dialect: str | None) -> None:
+    """M61 Q: which tool is in the spindle; whose P and Q are, of G64 or of a cycle."""
+    if dialect != "linuxcnc":
+        return
+    if meaning.drilling and codes.CONTINUOUS in meaning.codes:
+        meaning.drilling = meaning.cycle is not None or meaning.positions
+    if meaning.drilling and codes.CONTINUOUS in meaning.codes:
+        meaning.complain("G64 in the block of a cycle: whose P and Q are is not determined", "make it two blocks")
+    if codes.TOOL_NUMBER not in meaning.miscellaneous:
         return
     number = meaning.parameters.get("Q", -1.0)
     if number < 0.0 or number != int(number):
@@ -249,7 +255,7 @@ def _takes(letter: str, meaning: Meaning) -> bool:
     return bool(
         meaning.miscellaneous
         or meaning.dwell
-        or meaning.codes & codes.WITH_PARAMETERS
+        or not meaning.codes.isdisjoint(codes.PATH_MODES)
         or meaning.look_ahead
         or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))

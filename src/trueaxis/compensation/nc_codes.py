@@ -76,8 +76,8 @@ LOOK_AHEAD_ON: dict[str, dict[int, tuple[str, frozenset[float]]]] = {
 }  # fmt: skip
 ROUNDS = "the control may round the path within a tolerance of its own here"
 
-# exact path modes that take a tolerance or a number of blocks
-WITH_PARAMETERS = frozenset({610, 611, 640})
+EXACT_PATH, EXACT_STOPS, CONTINUOUS = 610, 611, 640  # G61, G61.1, G64: may take a tolerance or a number of blocks
+PATH_MODES = (EXACT_PATH, EXACT_STOPS, CONTINUOUS)
 
 # codes (whole ones) that change nothing where the mode that they set is in force: those of modes that this is asked of
 WITHOUT_MODE = frozenset({40, 61, 64})
@@ -86,7 +86,10 @@ _SETTING_MODES = frozenset({17, 18, 19, 20, 21, 54, 55, 56, 57, 58, 59, 90, 91, 
 
 def modes_on(dialect: str | None) -> frozenset[int]:
     """The codes of modes that may stand again where they are in force."""
-    return frozenset(code for code in _SETTING_MODES if 10 * code not in OTHERWISE_ON.get(dialect or "", {}))
+    otherwise = set(OTHERWISE_ON.get(dialect or "", {}))
+    if dialect == "linuxcnc":  # it matters to its cycles which is in force
+        otherwise.update(PATH_MODES)
+    return frozenset(code for code in _SETTING_MODES if 10 * code not in otherwise)
 
 
 class Refused(NamedTuple):

@@ -76,6 +76,8 @@ class CycleReader:
             return self._kept_hole(number, line, body, block, meaning, cycle)
         self._note(number, cycle)
         writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
+        if exact := self._modes.drill_exactly(number):
+            writer.say(exact)
         self._holes(cycle, meaning, writer)
         return writer.finished()
 
@@ -267,6 +269,7 @@ class CycleReader:
         if (
             cycle is None
             or cycle.code in self._kept
+            or self._modes.rounds
             or not state.absolute
             or not cycle.absolute
             or cycle.inch != state.inch

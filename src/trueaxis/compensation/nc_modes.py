@@ -19,6 +19,11 @@ GROUP_01 = "G80 ends the cycle: G{}, which was in force before it, is in force a
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 
 
+EXACT = "LinuxCNC drills in exact path mode: G61 is put in before the holes, and G64 of the program behind them again"
+EXACT_SINCE = (
+    "the program does not say its path mode (G61, G64 P) before this cycle, which LinuxCNC drills in exact path mode: "
+    "G61 stays in force after it, as the mode and tolerance of the control are not known"
+)
 MODE_NOTES = {
     "inch": "no G20 or G21 before this motion: it is read in mm, and is wrong on a control that starts in inches",
     "absolute": "no G90 or G91 before this motion: it is read as G90, and is wrong on a control that starts in G91",
@@ -62,6 +67,8 @@ class ModeReader:
         if meaning.at_initial_level is not None:
             state.at_initial_level = meaning.at_initial_level
         self._feed(meaning)
+        if self._settings.dialect == "linuxcnc":
+            state.path.take(meaning.codes, meaning.parameters, state.inch)
         if meaning.program_number and state.moved:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         for code in meaning.miscellaneous:
@@ -89,6 +96,20 @@ class ModeReader:
             state.feed_mode, state.feed = meaning.feed_mode, math.nan
         if meaning.feed is not None:
             state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
+
+    @property
+    def rounds(self) -> bool:
+        """Whether the path mode that LinuxCNC drills in is not in force."""
+        return self._settings.dialect == "linuxcnc" and self._state.path.rounds
+
+    def drill_exactly(self, number: int) -> str:
+        """The block that holes written out for LinuxCNC need before them, for the path mode that it drills in."""
+        if not self.rounds:
+            return ""
+        path = self._state.path
+        self._notes.add(number, EXACT if path.code else EXACT_SINCE)
+        path.in_cycle = True
+        return "G61"
 
     def known_numbers(self, number: int, meaning: Meaning) -> None:
         """See to what numbers without a decimal point count."""

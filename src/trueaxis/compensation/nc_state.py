@@ -14,6 +14,7 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.nc_lexer import FeedMode
 from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.path_mode import PathMode
 from trueaxis.compensation.settings import MM_PER_INCH
 
 
@@ -168,16 +169,16 @@ class NcState:
 
     position: programmed position of each axis, mm or deg, None until known. motion: 0 rapid, 1 line, 2 and 3 arc
     (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
-    where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; feed_mode: how F
-    counts. ended: line of the end of the program, 0 before. said: which of units (G20 G21) and distances
-    (G90 G91) the program has stated.
+    where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; feed_mode: how F counts. ended:
+    line of the end of the program, 0 before. said: which of units (G20 G21) and distances (G90 G91) it has stated.
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; before_cycle: the motion that was before it; at_initial_level: G98; spindle: M3 or
     M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
     last block that shows it.
-    point_control: whether positions are those of the tip. due: whether something is to be noted at the next motion.
+    path: path mode, for LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to
+    be noted at the next motion.
     """
 
     axes: tuple[str, ...]
@@ -201,6 +202,7 @@ class NcState:
     spindle: str = ""
     shift: tuple[float, ...] = ()
     gap: str = " "
+    path: PathMode = field(default_factory=PathMode)
     point_control: bool = False
     due: bool = False
     numbers: list[str | float | None] = field(init=False)

@@ -14,6 +14,7 @@ from trueaxis.compensation.linuxcnc_modes import PASSED
 from trueaxis.compensation.linuxcnc_source import offset_faults
 from trueaxis.compensation.machine import ErrorModel, rotary_rows
 from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.nc_modes import EXACT_SINCE
 from trueaxis.compensation.nc_tools import IN_SPINDLE
 from trueaxis.compensation.offsets import Offsets, middle
 from trueaxis.compensation.report import CompensationReport
@@ -27,10 +28,6 @@ UNROLLED = (
     "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
     "offsets, tool lengths and diameters that were given are in its words, and must be those of the control exactly; "
     "its N words, and lines in this report, are lines of the source; comments but for messages are left out"
-)
-EXACT_SINCE = (
-    "the program does not say its path mode (G61, G64 P) before this cycle, which LinuxCNC drills in exact path mode: "
-    "G61 stays in force after it, as the mode and tolerance of the control are not known"
 )
 KEEP_G53 = Fault(
     "--keep-g53", "", "does not go with --via-linuxcnc, whose interpreter does not say which motions G53 makes",
