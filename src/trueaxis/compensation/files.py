@@ -42,7 +42,7 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
 
 LONGEST_LINE = 65536
-_AT_ONCE = 65536  # bytes read: some thousand blocks, which is what a batch takes
+_AT_ONCE = 131072  # bytes read: as many blocks as a batch takes, or half as many again
 _ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
 _APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})

@@ -204,19 +204,16 @@ class CompensationReport:
             + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else "")
             + (f", {self.take_ups} blocks that take up reversals" if self.take_ups else ""),
             *([f"not good, exit code 1: {self.failure}"] if self.failure and not self.refused else []),
-            f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, "
-            f"tolerance {settings.tolerance:g} mm",
-            "corrections made: " + ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n),
-            f"{'error vector (mm)':34s}{'mean':>12s}{'sd':>12s}{'largest':>12s}  at line",
+            f"{'error of the tool point (um)':34s}{'mean':>10s}{'sd':>10s}{'largest':>10s}  at line",
             *_rows(self),
         ]
         if self.ball is not None:
-            lines.append("|E| along the ball bar, Eq. (6) (mm)")
+            lines.append("|E| along the ball bar, Eq. (6) (um)")
             lines.extend(_rows(self.ball))
         if self.orientation is not None:
             corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
             lines.append(f"orientation of the tool axis, {corrected} (urad)")
-            lines.extend(_rows(self.orientation))
+            lines.extend(_rows(self.orientation, 1.0))
         lines += [*self._troubles(), *self._places()]
         lines.extend(
             f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
@@ -229,9 +226,12 @@ class CompensationReport:
                 "is cut there, and they count as no fault"
             )
         lines.extend(f"note: {note}" for note in self.notes)
-        lines.append(str(self.senses))
-        if self.sign_check is not None:
-            lines.append(str(self.sign_check))
+        lines += [str(self.senses), *([str(self.sign_check)] if self.sign_check is not None else [])]
+        steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n)
+        lines.append(
+            f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, tolerance "
+            f"{settings.tolerance:g} mm; corrections made: {steps}"
+        )
         return "\n".join(lines)
 
     def _troubles(self) -> list[str]:
@@ -282,7 +282,8 @@ class CompensationReport:
         return lines
 
 
-def _rows(of: CompensationReport | Errors) -> list[str]:
+def _rows(of: CompensationReport | Errors, unit: float = 1e3) -> list[str]:
+    """A line for each stage; unit: what its figures are multiplied by."""
     table = (
         ("  as programmed", of.before),
         ("  compensated, words not rounded", of.solved),
@@ -290,7 +291,7 @@ def _rows(of: CompensationReport | Errors) -> list[str]:
         ("  along the executed feed blocks", of.along),
     )
     return [
-        f"{name:34s}{part.mean:12.7f}{part.sd:12.7f}{part.largest:12.7f}  {part.line}"
+        f"{name:34s}{unit * part.mean:10.2f}{unit * part.sd:10.2f}{unit * part.largest:10.2f}  {part.line}"
         for name, part in table
         if part is not None
     ]
