@@ -11,6 +11,7 @@ from tests.compensation.analytic_machine import XyzMachine
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Language, Settings
+from trueaxis.reporting.compensation import compensation_text
 
 FloatArray = NDArray[np.float64]
 
@@ -75,6 +76,11 @@ class Bench:
             name="in.nc",
         )
         return without_mark(self.out.read_bytes())
+
+    @property
+    def told(self) -> str:
+        """The report, as people read it."""
+        return compensation_text(self.report)
 
 
 def without_mark(written: bytes) -> bytes:

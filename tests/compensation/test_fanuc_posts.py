@@ -9,6 +9,7 @@ from tests.compensation.analytic_machine import FloatArray, XyzMachine, paper_si
 from tests.compensation.control import Bench
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.io.faults import InputError
+from trueaxis.reporting.compensation import compensation_text
 
 ZERO = {"X": 300.0, "Y": 200.0, "Z": -100.0}
 G54 = Offsets({"G54": {axis: (value, value) for axis, value in ZERO.items()}})
@@ -50,7 +51,7 @@ def test_a_tapping_cycle_stays_one_at_corrected_words(bench: Bench, code: str) -
     assert bench.report.kept_holes.largest == pytest.approx(max(ends), abs=1e-6)
     assert max(ends) > 0.002  # what one X and Y for the whole depth leaves here: stated, and no fault of the words
     assert bench.report.good
-    assert f"{bench.report.kept_holes.largest:.4f} mm at most at an end" in str(bench.report)
+    assert f"{bench.report.kept_holes.largest:.4f} mm at most at an end" in bench.told
     # after G99 Z stands at R of the last hole, as written; Z40. is a rapid again, and not by way of a cycle
     assert lines[6] == "G80"
     assert lines[7].startswith("G0 ")
@@ -149,13 +150,18 @@ def test_parking_at_machine_zero_is_no_failure(bench: Bench) -> None:
     assert (report.parked_at_end.points, report.out_of_travel.points, report.over_tolerance.points) == (1, 0, 0)
     assert report.after is not None
     assert report.after.largest <= 0.001
-    assert "note: rapids in machine coordinates (G53) stop at the end of travel: 1 points, lines 5" in str(report)
+    assert (
+        "note: rapids in machine coordinates (G53) stop at the end of travel: 1 points, lines 5"
+        in compensation_text(report)
+    )
     # a cut there, or a rapid of the part's own frame, counts as before
     for end in ("G53 G1 Z0. F100", "G0 Z0."):
         bench.run(PARKED.format(end=end), AtTheEnd(), offsets=AT)
         assert not bench.report.good
         assert bench.report.out_of_travel.points == 1
-        assert "not good, exit code 1: points above the tolerance, points out of travel" in str(bench.report)
+        assert "not good, exit code 1: points above the tolerance, points out of travel" in compensation_text(
+            bench.report
+        )
 
 
 def test_the_sign_check_is_at_a_cut(bench: Bench) -> None:
@@ -181,7 +187,7 @@ def test_an_offset_without_an_axis_is_a_fault(bench: Bench) -> None:
 def test_a_program_that_moves_nothing_is_not_good(bench: Bench) -> None:
     bench.run("G21 G90\nM30\n")
     assert not bench.report.good
-    assert "not good, exit code 1: nothing in the program moves an axis" in str(bench.report)
+    assert "not good, exit code 1: nothing in the program moves an axis" in bench.told
     bench.run("G21 G90\nG91 G28 Z0.\nM30\n")
     assert bench.report.good
 
@@ -194,7 +200,7 @@ def test_words_in_inch_have_the_decimals_that_the_control_reads(bench: Bench) ->
         text = bench.run(source, paper_sized(3.0), dialect=dialect, offsets=G54, inch_resolution=step).decode()
         assert {len(found) for found in re.findall(r"[XYZ]-?\d+\.(\d+)", text)} == {decimals}
     bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54)
-    assert "words of 0.0001 inch are up to 2.2 um off, more than the tolerance" in str(bench.report)
+    assert "words of 0.0001 inch are up to 2.2 um off, more than the tolerance" in bench.told
     assert not bench.report.good
     bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, tolerance=0.0025)
     assert bench.report.good

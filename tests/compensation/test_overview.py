@@ -11,6 +11,7 @@ from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.reporting.compensation import offset_text
 
 G54 = Offsets({"G54": dict.fromkeys("XYZ", (100.0, 100.0))})
 
@@ -84,10 +85,10 @@ def test_an_offset_is_told_once_with_and_without_point_control(bench: Bench) -> 
         "G43.4 H1\nG0 X10. Y5. Z9.\nG1 X20. A5. C9. F100\n"
     )
     bench.run(program, machine, offsets=offsets, tools=tools, dialect="fanuc")
-    assert str(bench.report).count("G54 is taken at") == 1
+    assert bench.told.count("G54 is taken at") == 1
 
 
 def test_lengths_of_vectors_are_named_so(bench: Bench) -> None:
     bench.run("G21 G90 G54\nG0 X1. Y1. Z1.\n", paper_sized(3.0), offsets=G54)
-    assert "um for Z (length of the vector)" in str(bench.report)
-    assert "(deg)" not in str(bench.report.offsets[0])
+    assert "um for Z (length of the vector)" in bench.told
+    assert "(deg)" not in offset_text(bench.report.offsets[0])

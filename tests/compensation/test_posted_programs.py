@@ -19,6 +19,7 @@ from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.reporting.compensation import compensation_text
 
 MACHINE = paper_sized()
 LENGTHS = {1: 60.0, 3: 112.35, 5: 81.5, 12: 143.0}
@@ -228,7 +229,7 @@ def written_of(folder: Path, name: str, text: str) -> str:
     source, out = folder / name, folder / "out"
     source.write_text(text)
     report = compensate_file(source, out, MACHINE, Settings(offsets=OFFSETS, tools=TOOLS, integers="mm"), name=name)
-    assert report.good, str(report)
+    assert report.good, compensation_text(report)
     return out.read_text()
 
 

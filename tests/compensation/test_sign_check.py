@@ -38,7 +38,7 @@ def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
     text = bench.run("G21 G90\nG0 X0. Y0. Z0.\nY200.\n", XyzMachine({"EYY": lambda y: -6e-5 * y}))
     # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-
     assert text.endswith(b"Y200.012\n")
-    shown = str(bench.report)
+    shown = bench.told
     assert "along Y of the workpiece frame, to zero at home (X0 Y0 Z0) and go to X0 Y200 Z0 (line 3).\n" in shown
     assert "it must show +0.0120 mm (above 0: the tool stands too far towards Y+ of the workpiece).\n" in shown
     assert "which commands Y200.012 (+0.0120 mm), it must show +0.0000 mm.\n" in shown
@@ -55,7 +55,7 @@ def test_what_errs_at_home_too_does_not_contradict_itself(bench: Bench, turn: st
     assert abs(check.at_home) > 0.09
     assert check.since_home == pytest.approx(check.deviation - check.at_home)
     assert check.correction + check.at_home == pytest.approx(-check.since_home, abs=0.001)
-    shown = str(bench.report)
+    shown = bench.told
     # set to zero without compensation, it shows of the compensated program what home itself is off by
     assert check.compensated == pytest.approx(-check.at_home, abs=0.001)
     assert f"Without compensation it must show {check.since_home:+.4f} mm" in shown
@@ -85,7 +85,7 @@ def test_every_report_says_which_way_each_axis_moves_the_tool(bench: Bench) -> N
         "the model takes it that X+ commands move the tool to X+ of the workpiece, "
         "Y+ commands to Y- (as where the table moves to Y+), Z+ commands to Z+. "
         "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
-    ) in str(bench.report)
+    ) in bench.told
     assert json.loads(bench.report.to_json())["senses"]["towards"] == {"X": "X+", "Y": "Y-", "Z": "Z+"}
 
 
@@ -101,7 +101,7 @@ def test_the_senses_follow_the_spec(bench: Bench, name: str, senses: dict[str, s
     bench.run(f"G21 G90\nG0 {' '.join(f'{axis}10.' for axis in model.axes)}\n", model)
     assert bench.report.senses.towards == senses
     rotary = " ".join(f"{axis}0" for axis in model.axes if axis not in "XYZ")
-    assert f"the model takes it that at {rotary} X+ commands move" in str(bench.report)
+    assert f"the model takes it that at {rotary} X+ commands move" in bench.told
 
 
 def test_it_is_left_out_where_nothing_is_to_be_seen(bench: Bench) -> None:

@@ -18,6 +18,7 @@ from tests.compensation.test_uncommanded import words
 from tests.machine.test_faults import BASE, faults_of
 from tests.machines import machine_of
 from trueaxis.io.faults import InputError
+from trueaxis.reporting.compensation import compensation_text
 
 ORIGIN = np.zeros((3, 1))
 LIMITS = {"X": (-50.0, 500.0), "Y": (-50.0, 500.0), "Z": (-20.0, 400.0)}
@@ -48,7 +49,9 @@ def test_a_header_is_compensated_where_z_is_taken_to_stand(bench: Bench, place: 
     assert bench.report.after is not None
     assert bench.report.after.largest < 0.001
     named = f"Z{place or 0:g}"
-    assert f"1 rapids while the position of Z is unknown: their words are for {named} " in str(bench.report)
+    assert f"1 rapids while the position of Z is unknown: their words are for {named} " in compensation_text(
+        bench.report
+    )
     found = json.loads(bench.report.to_json())
     assert found["unknown_places"]["assumed"] == {"Z": place or 0.0}
 
@@ -119,7 +122,7 @@ def test_where_z_stands_must_be_said_if_it_matters(bench: Bench, feed: str) -> N
     assert after is not None
     assert (found.places, found.near) == ({"Z": 0.0}, None)
     assert after.largest < 0.001
-    assert "say by --start where they stand" in str(bench.report)
+    assert "say by --start where they stand" in bench.told
     bench.run(program, machine(), start={"Z": 120.0})
     stated = bench.report.unnamed_feeds
     assert bench.report.good
@@ -132,7 +135,7 @@ def test_where_z_stands_must_be_said_if_it_matters(bench: Bench, feed: str) -> N
     straight = {name: curve for name, curve in machine().curves.items() if name[1] in "XYZ" and name[2] != "Z"}
     bench.run(program, XyzMachine(straight, travel=LIMITS))
     assert bench.report.good
-    assert "is left along it" in str(bench.report)
+    assert "is left along it" in bench.told
 
 
 @settings(max_examples=30, deadline=None)

@@ -26,6 +26,7 @@ from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.measurement.table import table_bytes
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
+from trueaxis.reporting.compensation import compensation_text, failure_text
 from trueaxis.reporting.reliance import refusal_sentences
 
 _DESCRIPTION = """\
@@ -289,12 +290,11 @@ def run(args: argparse.Namespace) -> int:
             left = drawn_program(model, covariance, judge.visited, chosen, draws, show)
             if left is not None:
                 write_files({args.draws_out: table_bytes(left.to_polars(), args.draws_out.suffix)})
-    print(report)
+    print(compensation_text(report))
     for sentence in (*notes_of(report, model), *notes_of_draws(left)):
         print(f"note: {sentence}")
-    if report.reliance is not None:
-        for sentence in refusal_sentences(report.reliance, args.max_u):
-            print(f"{named(args.out)}: not written: {sentence}")
-    if report.failure and not report.refused:
-        print(f"{named(args.out)}: written, but not good: {report.failure}")
+    for sentence in () if report.reliance is None else refusal_sentences(report.reliance, args.max_u):
+        print(f"{named(args.out)}: not written: {sentence}")
+    if report.failures and not report.refused:
+        print(f"{named(args.out)}: written, but not good: {failure_text(report)}")
     return 0 if report.good else 1

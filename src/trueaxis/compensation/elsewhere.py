@@ -35,14 +35,6 @@ class UnknownPlaces:
     assumed: dict[str, float]
     change: Summary
 
-    def __str__(self) -> str:
-        named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
-        return (
-            f"{self.change.count} rapids while the position of {' '.join(self.assumed)} is unknown: their words are "
-            f"for {named} (or the position before a tool change) and would differ by at most "
-            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
-        )
-
 
 @dataclass(frozen=True, slots=True)
 class UnnamedFeeds:
@@ -57,23 +49,6 @@ class UnnamedFeeds:
     left: Summary | None
     anywhere: Summary | None
     near: Summary | None
-
-    def __str__(self) -> str:
-        axes, at = " ".join(self.places), " ".join(f"{axis}{value:.9g}" for axis, value in self.places.items())
-        parts = [f"feed motions before the program commands {axes}, assumed at {at}"]
-        if self.left is not None:
-            parts.append(
-                f"it gets no word, and an error of at most {self.left.largest:.4f} mm (line {self.left.line}) is left "
-                "along it, which does not count, because the program does not command it"
-            )
-        if self.near is not None:
-            parts.append(f"{NEAR:g} mm elsewhere changes the other words by at most {self.near.largest:.4f} mm")
-        if self.anywhere is not None:
-            parts.append(
-                f"elsewhere in its travel the other words would differ by at most {self.anywhere.largest:.4f} mm (line "
-                f"{self.anywhere.line}), which is added to the errors above"
-            )
-        return "; ".join(parts)
 
 
 class Elsewhere:
@@ -203,23 +178,6 @@ class OffsetUse:
     change: float | None
     leaves_travel: bool
     zero: Zero
-
-    def __str__(self) -> str:
-        parts = [
-            f"{axis}{value:.9g}" + (f" +/- {self.half_range[axis]:.9g}" if self.half_range[axis] else "")
-            for axis, value in self.value.items()
-        ]
-        slopes = ", ".join(f"{10e3 * slope:.2f} um for {axis}" for axis, slope in self.slopes.items())
-        rotary = " (deg)" if set(self.value) - set("XYZ") else ""
-        text = (
-            f"{self.system} is taken at {' '.join(parts)} in machine coordinates; if its zero is 10 mm{rotary} "
-            f"elsewhere, compensated positions change by at most {slopes} (length of the vector)"
-        )
-        if self.change is not None:
-            text += f"; within the range by at most {1e3 * self.change:.2f} um, which is added to the errors above"
-        if self.leaves_travel:
-            text += "; positions leave the travel at an end of the range"
-        return f"{text}\n  {self.zero.sentence(self.system)}"
 
 
 def offset_use(

@@ -71,14 +71,6 @@ class Lines:
     points: int
     first: tuple[int, ...]
 
-    @property
-    def shown(self) -> str:
-        """The first lines, for people."""
-        return ", ".join(map(str, self.first[:10])) + (" ..." if len(self.first) > 10 else "")
-
-    def __str__(self) -> str:
-        return f"{self.points} points, lines {self.shown}"
-
 
 class LineLog:
     """Gathers lines, keeping the first `LINES_KEPT` different ones."""

@@ -1,8 +1,8 @@
 """What a compensation did; and, for who asks for it, what it changed point by point, which grows with the program."""
 
 import json
-import math
 from dataclasses import asdict, dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,15 @@ from trueaxis.compensation.elsewhere import OffsetUse, UnknownPlaces, UnnamedFee
 from trueaxis.compensation.logs import Lines, Summary
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.reliance import Reliance
-from trueaxis.compensation.settings import MM_PER_INCH, Settings
+from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.tracker import EffectNote
+
+Failure = Literal[
+    "not converged", "above tolerance", "out of travel", "tool axis above tolerance", "above within ranges of offsets",
+    "above at other places of axes", "nothing moves",
+]  # fmt: skip
 
 
 class Changes:
@@ -137,21 +142,21 @@ class CompensationReport:
     @property
     def good(self) -> bool:
         """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
-        return not self.refused and not self.failure
+        return not self.refused and not self.failures
 
     @property
-    def failure(self) -> str:
-        """Why what was written is not good, in a few words; empty where it is."""
-        kinds = (
-            ("points did not converge", self.not_converged.points),
-            ("points above the tolerance", self.over_tolerance.points),
-            ("points out of travel", self.out_of_travel.points),
-            ("tool axis above its tolerance", self.over_orientation.points),
-            ("not good for all work offsets in the ranges given", self.over_range),
-            ("not good wherever axes may stand", self.over_places),
-            ("nothing in the program moves an axis", not self.moves and not self.kept_motions),
+    def failures(self) -> tuple[Failure, ...]:
+        """What of what was written is not good."""
+        kinds: tuple[tuple[Failure, bool], ...] = (
+            ("not converged", self.not_converged.points > 0),
+            ("above tolerance", self.over_tolerance.points > 0),
+            ("out of travel", self.out_of_travel.points > 0),
+            ("tool axis above tolerance", self.over_orientation.points > 0),
+            ("above within ranges of offsets", self.over_range),
+            ("above at other places of axes", self.over_places),
+            ("nothing moves", not self.moves and not self.kept_motions),
         )
-        return ", ".join(name for name, found in kinds if found)
+        return tuple(name for name, found in kinds if found)
 
     @property
     def over_range(self) -> bool:
@@ -176,122 +181,9 @@ class CompensationReport:
         """Whether nothing was written, as it would rely on too little."""
         return self.reliance is not None and self.reliance.refused
 
-    def _coarse_words(self) -> list[str]:
-        """Where the rounding of words alone passes the tolerance, so that no compensation can reach it."""
-        settings, found = self.settings, []
-        for inch in (False, True) if self.over_tolerance.points else ():
-            step, unit = (settings.inch_step, "inch") if inch else (settings.resolution, "mm")
-            off = 0.5 * math.sqrt(3.0) * step * (MM_PER_INCH if inch else 1.0)
-            if off > settings.tolerance and unit in self.units:
-                found.append(
-                    f"words of {step:g} {unit} are up to {1e3 * off:.1f} um off, more than the tolerance: it cannot be "
-                    "reached everywhere with these words"
-                )
-        return found
-
     def to_json(self) -> str:
         """The report as JSON; `settings.start` as an object of axis positions."""
         tree = asdict(self)
         tree["settings"]["start"] = dict(self.settings.start)
         tree["settings"]["assumed"] = dict(self.settings.assumed)
         return json.dumps({"schema": 1, "good": self.good, **tree}, indent=1) + "\n"
-
-    def __str__(self) -> str:
-        settings = self.settings
-        lines = [
-            f"{self.program} ({self.language.upper()}): {self.blocks_in} blocks read, {self.blocks_out} written; "
-            f"{self.moves} moves, {self.points} points"
-            + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else "")
-            + (f", {self.take_ups} blocks that take up reversals" if self.take_ups else ""),
-            *([f"not good, exit code 1: {self.failure}"] if self.failure and not self.refused else []),
-            f"{'error of the tool point (um)':34s}{'mean':>10s}{'sd':>10s}{'largest':>10s}  at line",
-            *_rows(self),
-        ]
-        if self.ball is not None:
-            lines.append("|E| along the ball bar, Eq. (6) (um)")
-            lines.extend(_rows(self.ball))
-        if self.orientation is not None:
-            corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
-            lines.append(f"orientation of the tool axis, {corrected} (urad)")
-            lines.extend(_rows(self.orientation, 1.0))
-        lines += [*self._troubles(), *self._places()]
-        lines.extend(
-            f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
-            f"{one.lines.points} times, lines {one.lines.shown}"
-            for one in self.passed
-        )
-        if self.parked_at_end.points:
-            lines.append(
-                f"note: rapids in machine coordinates (G53) stop at the end of travel: {self.parked_at_end}; nothing "
-                "is cut there, and they count as no fault"
-            )
-        lines.extend(f"note: {note}" for note in self.notes)
-        lines += [str(self.senses), *([str(self.sign_check)] if self.sign_check is not None else [])]
-        steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n)
-        lines.append(
-            f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, tolerance "
-            f"{settings.tolerance:g} mm; corrections made: {steps}"
-        )
-        return "\n".join(lines)
-
-    def _troubles(self) -> list[str]:
-        """Points that are not as they are to be, and why."""
-        settings, lines = self.settings, self._coarse_words()
-        for name, found in (
-            ("not converged", self.not_converged),
-            ("above tolerance", self.over_tolerance),
-            ("out of travel, words stop at its end", self.out_of_travel),
-            (f"above {settings.orientation_tolerance_urad:g} urad", self.over_orientation),
-            ("singular poses, one direction of the tool axis not corrected", self.singular),
-        ):
-            if found.points:
-                lines.append(f"{name}: {found}")
-        return lines
-
-    def _places(self) -> list[str]:
-        """What effects, axes without words, work offsets, tools and unknown places come to."""
-        lines: list[str] = []
-        lines.extend(
-            f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
-            for one in self.effects
-        )
-        if self.uncommanded_left is not None:
-            left = self.uncommanded_left
-            lines.append(
-                f"axes not commanded yet get no words: {self.uncommanded}; "
-                f"largest error left {left.largest:.4f} mm at line {left.line}"
-            )
-        if self.kept_holes is not None:
-            of = self.kept_holes
-            lines.append(
-                f"{of.count} holes of cycles that are kept: X and Y are those of the middle of the hole, Z and R those "
-                f"of its ends; what errors differ by along a hole is left, {of.largest:.4f} mm at most at an end (line "
-                f"{of.line})"
-            )
-        lines.extend(map(str, (*self.offsets, *self.tools)))
-        if self.over_range:
-            lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
-        if self.unknown_places is not None:
-            lines.append(str(self.unknown_places))
-        if self.unnamed_feeds is not None:
-            lines.append(str(self.unnamed_feeds))
-        if self.over_places:
-            lines.append(
-                "above tolerance if these axes stand elsewhere: say by --start where they stand, or command them"
-            )
-        return lines
-
-
-def _rows(of: CompensationReport | Errors, unit: float = 1e3) -> list[str]:
-    """A line for each stage; unit: what its figures are multiplied by."""
-    table = (
-        ("  as programmed", of.before),
-        ("  compensated, words not rounded", of.solved),
-        ("  compensated, as written", of.after),
-        ("  along the executed feed blocks", of.along),
-    )
-    return [
-        f"{name:34s}{unit * part.mean:10.2f}{unit * part.sd:10.2f}{unit * part.largest:10.2f}  {part.line}"
-        for name, part in table
-        if part is not None
-    ]

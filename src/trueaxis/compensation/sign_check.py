@@ -1,6 +1,5 @@
 """What shows, before first use, whether the signs of the machine's axes and of the error values are right."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,8 +7,6 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_jacobian, linear_rows
 from trueaxis.compensation.path import Held, Path
-
-_SHOWN = 0.00005  # mm, half of the last decimal that is shown
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,21 +39,6 @@ class SignCheck:
         """What the gauge, set to zero at home without compensation, shows with the compensated program, mm."""
         return self.since_home + self.correction
 
-    def __str__(self) -> str:
-        turned = "" if self.axis == self.direction else f"; {self.axis} moves the tool along {self.direction} there"
-        offset = abs(self.datum - self.at_home) >= _SHOWN
-        why = " (not zero, as home itself is not corrected)" if offset else ""
-        moved = f"{self.axis}{self.command:.9g} ({self.command - self.position[self.axis]:+.4f} mm{turned})"
-        return (
-            f"sign check before first use: set a gauge or laser between table and tool, along {self.direction} of the "
-            f"workpiece frame, to zero at home ({_named(self.home)}) and go to {_named(self.position)} "
-            f"(line {self.line}).\n"
-            f"  Without compensation it must show {self.since_home:+.4f} mm (above 0: the tool stands too far "
-            f"towards {self.direction}+ of the workpiece).\n"
-            f"  With the compensated program, which commands {moved}, it must show {self.compensated:+.4f} mm{why}.\n"
-            "  If the first reading has the other sign, so have the error values: do not run the program."
-        )
-
 
 @dataclass(frozen=True, slots=True)
 class Senses:
@@ -68,19 +50,6 @@ class Senses:
 
     towards: dict[str, str]
     rotary: dict[str, float]
-
-    def __str__(self) -> str:
-        parts: list[str] = []
-        for axis, way in self.towards.items():
-            first = " move the tool" if not parts else ""
-            workpiece = " of the workpiece" if not parts else ""
-            table = f" (as where the table moves to {way[0]}+)" if way[1] == "-" else ""
-            parts.append(f"{axis}+ commands{first} to {way}{workpiece}{table}")
-        at = f"at {_named(self.rotary)} " if self.rotary else ""
-        return (
-            f"the model takes it that {at}{', '.join(parts)}. "
-            "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
-        )
 
 
 def senses_of(model: ErrorModel, tool_point: FloatArray) -> Senses:
@@ -156,7 +125,3 @@ class SignChecker:
             correction=float(moved[direction, 0]),
             datum=float(datum[direction, 0]),
         )
-
-
-def _named(position: Mapping[str, float]) -> str:
-    return " ".join(f"{axis}{value + 0.0:.9g}" for axis, value in position.items())

@@ -75,10 +75,6 @@ class ToolUse:
     number: int
     tool_point: tuple[float, float, float]
 
-    def __str__(self) -> str:
-        x, y, z = (value + 0.0 for value in self.tool_point)
-        return f"tool {self.number}: the point {x:.9g}, {y:.9g}, {z:.9g} of the tool frame is compensated"
-
 
 LONGEST = 2000.0  # mm; no tool is, and micrometres or a lost decimal point are more
 _LINE = re.compile(r"[ \t]*(?:[A-Z][ \t]*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[ \t]*)+", re.IGNORECASE)

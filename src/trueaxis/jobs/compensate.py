@@ -38,6 +38,7 @@ from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.monte_carlo.settings import Draws
+from trueaxis.reporting.compensation import compensation_text
 from trueaxis.reporting.reliance import (
     draw_sentences,
     error_free_sentences,
@@ -80,7 +81,7 @@ class Compensated(Printed, Tabular):
         return pl.DataFrame({"line": self.lines, **columns}).fill_nan(None)
 
     def __str__(self) -> str:
-        return "\n".join([str(self.report), *(f"note: {one}" for one in self.notes)]) + "\n"
+        return "\n".join([compensation_text(self.report), *(f"note: {one}" for one in self.notes)]) + "\n"
 
 
 def compensate(
