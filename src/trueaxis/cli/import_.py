@@ -46,6 +46,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--kernels", type=Path, default=Path("generated"), metavar="DIR",
         help="folder of derived kernels, for the position of the workpiece ball of a ball bar (%(default)s)",
     )  # fmt: skip
+    parser.add_argument("--replace", action="store_true", help="replace other data that the folder holds")
     parser.set_defaults(run=run)
 
 
@@ -65,7 +66,10 @@ def run(args: argparse.Namespace) -> int:
         return load_model(args.machine, None, args.kernels).ideal(positions, point)
 
     ask = _answer if person else None
-    print(imported(args.files, machine, args.out, view, given, format=args.format, found=found, ask=ask), end="")
+    made = imported(
+        args.files, machine, args.out, view, given, format=args.format, found=found, ask=ask, replace=args.replace
+    )
+    print(made, end="")
     return 0
 
 

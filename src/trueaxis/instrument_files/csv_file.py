@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.evaluation.iso230_2.table_file import NEGATIVE, POSITIVE
+from trueaxis.instrument_files.passes import ONE_WAY, passes_of
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults
 from trueaxis.io.plain_text import shown
@@ -91,8 +92,14 @@ def _runs(
         values = {key: column[rows] for key, column in numbers.items()}
         whole = name if of_several is None else f"{name}-{heading(of_several).name}"
         one = _run(str(path), whole, values, None if directions is None else directions[rows], instrument)
-        runs.append(replace(one, assumed=(*one.assumed, *of_file.sentences())))
+        runs.append(replace(one, assumed=(*one.assumed, *of_file.sentences()), unused=_unused(table, columns)))
     return tuple(runs)
+
+
+def _unused(table: DelimitedText, columns: Mapping[str, tuple[int, Heading]]) -> tuple[str, ...]:
+    """Heads of the columns that nothing is taken from; other angles are runs of their own."""
+    used = {index for index, _ in columns.values()}
+    return tuple(one for k, one in enumerate(table.header) if k not in used and heading(one).name not in ANGLES)
 
 
 def is_ball_bar(header: tuple[str, ...]) -> bool:
@@ -266,8 +273,10 @@ def _run(
         reading = values["measured"] - values["target"]
     if instrument == "angle":
         reading = np.radians(reading)
+    one_way = False
     if directions is None and targets is not None:
-        directions = approach_of_passes(_passes(targets), targets)
+        passes, one_way = passes_of(targets)
+        directions = approach_of_passes(passes, targets)
     return InstrumentRun(
         file=file,
         id=re.sub(r"\s+", " ", name).strip(),
@@ -281,20 +290,5 @@ def _run(
         time=values.get("time"),
         feed=values.get("feed"),
         temperature=values.get("temperature"),
-        assumed=(ORDER,),
+        assumed=(ORDER, ONE_WAY) if one_way else (ORDER,),
     )
-
-
-def _passes(targets: FloatArray) -> "np.ndarray":
-    """(n,): the number of the pass over the targets that each row belongs to: a new one where the way turns round.
-
-    A row at the position of the one before begins the next pass: there the axis went beyond and came back.
-    """
-    passes = np.zeros(targets.size, dtype=np.int64)
-    way = 0.0
-    for row in range(1, targets.size):
-        step = np.sign(targets[row] - targets[row - 1])
-        turned = step == 0.0 or way not in (0.0, step)
-        passes[row] = passes[row - 1] + turned
-        way = 0.0 if turned and step == 0.0 else step
-    return passes

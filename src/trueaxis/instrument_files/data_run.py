@@ -94,7 +94,7 @@ def _along(
     if warm is None:
         return None
     source, expansion, warmth = warm
-    home, reading, remark = _home(source, machine, own, positions, mover)
+    home, reading, remark = _home(source, machine, own, positions)
     if on is None or frame_of is None or direction is None or target is None or reference is None or reading is None:
         return None
     if on == frame_of == reference.on:
@@ -140,13 +140,14 @@ def _ball_bar(
         default = cast(Vector, tuple(float(round(value, 9)) for value in at))
     if tool is None or (plane is None and not source.positions):
         return None  # where the other ball is may follow from these
+    home = {axis: min(max(0.0, low), high) for axis, (low, high) in machine.travel.items()}  # no reading counts from it
     meaning = "where the ball on the workpiece is, in the frame of the workpiece, mm"
     ball = own.vector("reference.point", meaning, "X,Y,Z", default=default)
     if length is None or ball is None:
         return None
     run = Run(
         id=run_id, instrument="ballbar", target=PointOn("tool", tool), reference=PointOn("workpiece", ball),
-        frame="bed", home=dict.fromkeys(machine.axes, 0.0), length=length,
+        frame="bed", home=home, length=length,
     )  # fmt: skip
     reading = source.reading - length if source.whole_length else source.reading
     remarks = source.assumed
@@ -240,7 +241,7 @@ def _normalised(
 
 
 def _home(
-    source: InstrumentRun, machine: Machine, own: RunKeys, positions: FloatArray, axis: str | None
+    source: InstrumentRun, machine: Machine, own: RunKeys, positions: FloatArray
 ) -> tuple[dict[str, float], FloatArray | None, tuple[str, ...]]:
     """Where the readings are zero, and the readings since then.
 
@@ -253,8 +254,8 @@ def _home(
         home[name] = home[name] if value is None else value
     at_home = np.all(positions == np.array([[home[name]] for name in machine.axes]), axis=0)
     readings = source.reading[at_home]
-    default = "keep" if axis is None or not readings.size or (readings == 0.0).any() else "mean"
-    if own.said("zero") is None and own.sources.get(f"home.{axis}") == "user":
+    default = "keep" if not readings.size or (readings == 0.0).any() else "mean"
+    if own.said("zero") is None and any(own.sources.get(f"home.{name}") == "user" for name in machine.axes):
         default = "keep"
     zero = own.text("zero", "", "keep", among=("keep", "mean"), default=default)
     if zero == "mean" and not readings.size:

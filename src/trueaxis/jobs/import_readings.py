@@ -14,7 +14,7 @@ from trueaxis.instrument_files.read import Format, read_instrument_file
 from trueaxis.instrument_files.user_keys import Question, UserKeys
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
-from trueaxis.io.input_files import gathering
+from trueaxis.io.input_files import gathering, input_bytes
 from trueaxis.io.plain_text import shown
 from trueaxis.jobs.given import kernels_of
 from trueaxis.jobs.load import AnyPath, DataFolder, load_data
@@ -27,18 +27,23 @@ from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
 from trueaxis.model.model import MachineModel
 
 COMPENSATION = "compensation"
+LONGEST_LIST = 200  # characters of the columns that were not read
+HELD, REPLACED = "holds other measured data, which would be lost", "another folder, or --replace"
 KeyValue = str | float | Sequence[float]
 Ask = Callable[[Question, Mapping[str, str], Sequence[Fault]], str]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ImportedRun:
-    """A run of the new folder. file: that it comes from; readings: how many; assumed: what the file does not say."""
+    """A run of the new folder. file: that it comes from; readings: how many; assumed: what the file does not say;
+    unused: heads of its columns that were not read.
+    """
 
     id: str
     file: Path
     readings: int
     assumed: tuple[str, ...]
+    unused: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -64,6 +69,8 @@ class Imported(Printed, Tabular):
             lines.append(f"{shown(one.id)}: {one.readings} readings of {shown(one.file.name)}")
             if one.assumed:
                 lines.append(f"  not in the file: {', '.join(one.assumed)}")
+            if one.unused:
+                lines.append(f"  columns not read (--map column.NAME): {shown(', '.join(one.unused), LONGEST_LIST)}")
         what = f"{len(self.runs)} runs; {setup_file.FILE_NAME} marks what is assumed: check it"
         return "\n".join([*lines, f"{named(self.folder)}: {what}"]) + "\n"
 
@@ -75,12 +82,14 @@ def import_readings(
     *,
     format: Format | None = None,  # noqa: A002  the word of the command
     keys: Mapping[str, KeyValue] | None = None,
+    replace: bool = False,
 ) -> Imported:
     """Convert files of instruments to the folder `out` of measured data: setup.toml and readings.csv, both or none.
 
     format: of all files, "rtl", "iso230-2", "ballbar-csv" or "csv"; None: by their content. keys: what the files
     do not say, such as {"axis": "X", "target.point": (0, 0, -150), "X1:at.Y": 200}, mm and deg, for all runs or as
-    RUN:KEY for one; docs/import.md lists them. machine: with its kernels (`load_model`) where a ball bar is among them.
+    RUN:KEY for one; docs/import.md lists them. replace: whether other data that `out` holds may be lost. machine: with
+    its kernels (`load_model`) where a ball bar is among them.
     Raises InputError with every fault of every file and what is missing; ValueError for arguments of another form.
     """
     if format is not None and format not in get_args(Format):
@@ -99,7 +108,7 @@ def import_readings(
     inputs = {"the spec": spec.source, **{f"file {number}": path for number, path in enumerate(paths, 1)}}
     kernels = kernels_of(machine) if isinstance(machine, MachineModel) else None
     found = faults_of_out(Path(out), inputs, kernels)
-    return imported(paths, spec, Path(out), view, given, format=format, found=found)
+    return imported(paths, spec, Path(out), view, given, format=format, found=found, replace=replace)
 
 
 def key_text(key: str, value: KeyValue) -> str:
@@ -123,6 +132,7 @@ def imported(
     format: Format | None = None,  # noqa: A002
     found: Sequence[Fault] = (),
     ask: Ask | None = None,
+    replace: bool = False,
 ) -> Imported:
     """As `import_readings`. found: faults so far, told with those of the files; ask: gives what a run lacks, from a
     person; given takes it in. An answer that is wrong is asked for again, with its faults.
@@ -147,11 +157,20 @@ def imported(
     if found or faults:
         raise InputError([*found, *faults])
     ready = renamed(tuple(runs))
-    write_files({
+    made: dict[Path, bytes | str] = {
         out / setup_file.FILE_NAME: setup_text(ready, machine.name, given.get(COMPENSATION)),
         out / readings_files.FILE_NAME: readings_bytes(ready, machine.axes),
-    })  # fmt: skip
+    }
+    if not replace and (lost := [path for path, text in made.items() if _differs(path, text)]):
+        raise InputError([Fault(str(path), "", HELD, REPLACED) for path in lost])
+    write_files(made)
     return Imported(folder=out, runs=tuple(map(_run, ready)), machine=machine)
+
+
+def _differs(path: Path, text: bytes | str) -> bool:
+    """Whether a file is there that holds something else."""
+    data = text.encode() if isinstance(text, str) else text
+    return path.exists() and input_bytes(path) != data
 
 
 def faults_of_out(out: Path, inputs: Mapping[str, Path | None], kernels: Path | None = None) -> list[Fault]:
@@ -168,7 +187,11 @@ def faults_of_out(out: Path, inputs: Mapping[str, Path | None], kernels: Path | 
 def _run(item: DataRun) -> ImportedRun:
     assumed = sorted({key for key in item.assumed.sources if key != "id"})
     return ImportedRun(
-        id=item.run.id, file=Path(item.source.file), readings=int(item.reading.size), assumed=tuple(assumed)
+        id=item.run.id,
+        file=Path(item.source.file),
+        readings=int(item.reading.size),
+        assumed=tuple(assumed),
+        unused=item.source.unused,
     )
 
 

@@ -38,6 +38,7 @@ UNITS: dict[str, tuple[Dimension, float]] = {
 }  # fmt: skip
 _WITH_UNIT = re.compile(r"(.*?)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\)|\s*/\s*(?P<slash>\S+))")
 _SUFFIX = re.compile(r"(.+)_(mm|um|nm|deg|rad|mrad|urad|arcsec|s|c|mm_min)", re.IGNORECASE)
+_NO_UNIT = ("", "-")  # in a line of units
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?")
 
 
@@ -86,11 +87,11 @@ def _table(lines: list[tuple[int, str]], separator: str | None, faults: Faults) 
     start = _first_numbers(lines, separator)
     if start is None or start == 0:
         return None
-    above = [_cells(line, separator) for _, line in lines[:start]]
     width = len(_cells(lines[start][1], separator))
+    above = [_of_width(_cells(line, separator), width) for _, line in lines[:start]]
     header, units = above[-1], tuple[str, ...]()
     if len(above) > 1 and len(above[-2]) == width == len(above[-1]) and _are_units(above[-1]):
-        header, units = above[-2], above[-1]
+        header, units = above[-2], tuple("" if cell in _NO_UNIT else cell for cell in above[-1])
     if len(header) != width or len(header) > MOST_COLUMNS:
         return None
     number = lines[start - 1][0] if not units else lines[start - 2][0]
@@ -118,14 +119,19 @@ def _first_numbers(lines: list[tuple[int, str]], separator: str | None) -> int |
         cells = _cells(line, separator)
         if sum(decimal(cell) is not None for cell in cells) < 2 or index == 0:
             continue
-        above = _cells(lines[index - 1][1], separator)
+        above = _of_width(_cells(lines[index - 1][1], separator), len(cells))
         if len(above) == len(cells) and not any(decimal(cell) is not None for cell in above):
             return index
     return None
 
 
 def _are_units(cells: tuple[str, ...]) -> bool:
-    return all(not cell or cell.strip("[]()").strip().lower() in UNITS for cell in cells)
+    return all(cell in _NO_UNIT or cell.strip("[]()").strip().lower() in UNITS for cell in cells)
+
+
+def _of_width(cells: tuple[str, ...], width: int) -> tuple[str, ...]:
+    """A line of units whose last columns have none, with as many cells as the others."""
+    return cells + ("",) * (width - len(cells)) if _are_units(cells) else cells
 
 
 def _cells(line: str, separator: str | None) -> tuple[str, ...]:

@@ -24,8 +24,8 @@ class InstrumentRun:
     of its circle, rad. reading: (n,), mm: a deviation, or the whole length of the bar where `whole_length`; of angles
     rad, or, where `unit_open`, as in a file that does not say its unit. directions: (n,), direction of approach of the
     moved axis, 0 where it follows from the order of the rows. time (s), feed (mm/min), temperature (degC): (n,) where
-    the file has them. report: free text for reports. assumed: sentences on what the reader of the file takes for
-    granted.
+    the file has them. report: free text for reports. unused: heads of columns of the file that were not read. assumed:
+    sentences on what the reader of the file takes for granted.
     """
 
     file: str
@@ -43,6 +43,7 @@ class InstrumentRun:
     feed: FloatArray | None = None
     temperature: FloatArray | None = None
     report: Mapping[str, str] = field(default_factory=dict)
+    unused: tuple[str, ...] = ()
     assumed: tuple[str, ...] = ()
 
 
