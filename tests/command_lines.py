@@ -51,7 +51,7 @@ COMMANDS: Mapping[str, str] = {
     "compensate": "compensate m.toml --errors e.json part.nc --out {out}/c.nc --report {out}/c.json",
     "diagnose": "diagnose m.toml --errors e.json --data of_x --out {out}/d --noise-um 0.3",
     "init": "init {out}/new.toml --structure FXYZ --travel X=0:1 Y=0:1 Z=0:1",
-    "import": "import x.rtl --machine m.toml --out {out}/imported --map target.point=0,0,0 at.Y=0 at.Z=0",
+    "import": "import x.rtl --replace --machine m.toml --out {out}/imported --map target.point=0,0,0 at.Y=0 at.Z=0",
     "export": "export m.toml --errors e.json --format siemens-enc --out {out}/enc.ini",
     "evaluate": "evaluate test.csv --out {out}/t.json --picture {out}/t.png",
 }
