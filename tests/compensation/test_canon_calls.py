@@ -43,16 +43,18 @@ def parameters(scale: float) -> dict[int, float]:
     return {number: value / scale if number in lengths else value for number, value in values.items()}
 
 
-def compensated(folder: Path, text: str, tools: str = "", suffix: str = ".tbl") -> CompensationReport:
-    """Compensate a program with the .var file and the table; tools: another one."""
+def compensated(
+    folder: Path, text: str, tools: str = "", suffix: str = ".tbl", via: Path | None = PACKAGE
+) -> CompensationReport:
+    """Compensate a program with the .var file and the table; tools: another one; via: None, without the interpreter."""
     (folder / "in.ngc").write_text(text)
     (folder / f"tools{suffix}").write_text(tools or table(1.0))
     (folder / "control.var").write_text("".join(f"{n}\t{v:.6f}\n" for n, v in sorted(parameters(1.0).items())))
     settings = Settings(
         dialect="linuxcnc", offsets=read_offsets(folder / "control.var"), tools=read_tools(folder / f"tools{suffix}"),
-        start=dict.fromkeys("XYZ", 0.0), pass_m=(0, 1, 6, 60),
+        start=dict.fromkeys("XYZ", 0.0), pass_m=(0, 1, 6, 60), integers="mm",
     )  # fmt: skip
-    return compensate_file(folder / "in.ngc", folder / "out.ngc", MACHINE, settings, via_linuxcnc=PACKAGE)
+    return compensate_file(folder / "in.ngc", folder / "out.ngc", MACHINE, settings, via_linuxcnc=via)
 
 
 @pytest.mark.parametrize(
@@ -66,15 +68,7 @@ def compensated(folder: Path, text: str, tools: str = "", suffix: str = ".tbl") 
 )
 def test_cycles_that_are_written_out_go_in_the_path_mode_of_linuxcnc(tmp_path: Path, blocks: str) -> None:
     """They went in that of the program, G64. Nothing here is unrolled by the interpreter."""
-    text = f"{HEAD}{blocks}M2\n"
-    (tmp_path / "tool.tbl").write_text(table(1.0))
-    (tmp_path / "control.var").write_text("".join(f"{n}\t{v:.6f}\n" for n, v in sorted(parameters(1.0).items())))
-    (tmp_path / "in.ngc").write_text(text)
-    settings = Settings(
-        dialect="linuxcnc", offsets=read_offsets(tmp_path / "control.var"), tools=read_tools(tmp_path / "tool.tbl"),
-        integers="mm",
-    )  # fmt: skip
-    assert compensate_file(tmp_path / "in.ngc", tmp_path / "out.ngc", MACHINE, settings).good
+    assert compensated(tmp_path, f"{HEAD}{blocks}M2\n", via=None).good
     source = calls_of(tmp_path / "in.ngc", tmp_path / "source", table(INCH), parameters(INCH), package=PACKAGE)
     written = calls_of(tmp_path / "out.ngc", tmp_path / "written", table(INCH), parameters(INCH), package=PACKAGE)
     modes = [
@@ -85,9 +79,9 @@ def test_cycles_that_are_written_out_go_in_the_path_mode_of_linuxcnc(tmp_path: P
     assert len(modes[0]) > 2
 
 
-def check(folder: Path, text: str, scale: float = INCH, **more: str) -> None:
+def check(folder: Path, text: str, scale: float = INCH, tools: str = "", suffix: str = ".tbl") -> None:
     """That the control does the same; scale: INCH, or 1 where numbers of the tables are read by the program."""
-    report = compensated(folder, text, **more)
+    report = compensated(folder, text, tools, suffix)
     assert report.good
     source = calls_of(folder / "in.ngc", folder / "source", table(scale), parameters(scale), package=PACKAGE)
     written = calls_of(folder / "out.ngc", folder / "written", table(INCH), parameters(INCH), package=PACKAGE)

@@ -9,7 +9,6 @@ from tests.compensation.analytic_machine import FloatArray, XyzMachine, paper_si
 from tests.compensation.control import Bench
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.io.faults import InputError
-from trueaxis.reporting.compensation import compensation_text
 
 ZERO = {"X": 300.0, "Y": 200.0, "Z": -100.0}
 G54 = Offsets({"G54": {axis: (value, value) for axis, value in ZERO.items()}})
@@ -150,18 +149,13 @@ def test_parking_at_machine_zero_is_no_failure(bench: Bench) -> None:
     assert (report.parked_at_end.points, report.out_of_travel.points, report.over_tolerance.points) == (1, 0, 0)
     assert report.after is not None
     assert report.after.largest <= 0.001
-    assert (
-        "note: rapids in machine coordinates (G53) stop at the end of travel: 1 points, lines 5"
-        in compensation_text(report)
-    )
+    assert "note: rapids in machine coordinates (G53) stop at the end of travel: 1 points, lines 5" in bench.told
     # a cut there, or a rapid of the part's own frame, counts as before
     for end in ("G53 G1 Z0. F100", "G0 Z0."):
         bench.run(PARKED.format(end=end), AtTheEnd(), offsets=AT)
         assert not bench.report.good
         assert bench.report.out_of_travel.points == 1
-        assert "not good, exit code 1: points above the tolerance, points out of travel" in compensation_text(
-            bench.report
-        )
+        assert "not good, exit code 1: points above the tolerance, points out of travel" in bench.told
 
 
 def test_the_sign_check_is_at_a_cut(bench: Bench) -> None:

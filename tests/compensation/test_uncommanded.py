@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench, execute
 from trueaxis.io.faults import InputError
-from trueaxis.reporting.compensation import compensation_text
 
 START = {"X": 0.0, "Y": 0.0, "Z": 600.0}
 
@@ -42,10 +41,7 @@ def test_the_start_is_no_command(bench: Bench) -> None:
     assert report.uncommanded_left.largest == pytest.approx(0.012, abs=1e-4)
     assert report.after is not None
     assert report.after.largest < 0.001
-    assert (
-        "axes not commanded yet get no words: 2 points, lines 2, 3; largest error left 0.0120 mm"
-        in compensation_text(report)
-    )
+    assert "axes not commanded yet get no words: 2 points, lines 2, 3; largest error left 0.0120 mm" in bench.told
     assert any("Z gets no word here" in note for note in report.notes)
 
 

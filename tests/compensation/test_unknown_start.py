@@ -18,7 +18,6 @@ from tests.compensation.test_uncommanded import words
 from tests.machine.test_faults import BASE, faults_of
 from tests.machines import machine_of
 from trueaxis.io.faults import InputError
-from trueaxis.reporting.compensation import compensation_text
 
 ORIGIN = np.zeros((3, 1))
 LIMITS = {"X": (-50.0, 500.0), "Y": (-50.0, 500.0), "Z": (-20.0, 400.0)}
@@ -49,9 +48,7 @@ def test_a_header_is_compensated_where_z_is_taken_to_stand(bench: Bench, place: 
     assert bench.report.after is not None
     assert bench.report.after.largest < 0.001
     named = f"Z{place or 0:g}"
-    assert f"1 rapids while the position of Z is unknown: their words are for {named} " in compensation_text(
-        bench.report
-    )
+    assert f"1 rapids while the position of Z is unknown: their words are for {named} " in bench.told
     found = json.loads(bench.report.to_json())
     assert found["unknown_places"]["assumed"] == {"Z": place or 0.0}
 

@@ -83,9 +83,9 @@ def _on_linuxcnc(meaning: Meaning, dialect: str | None) -> None:
     if dialect != "linuxcnc":
         return
     if meaning.drilling and codes.CONTINUOUS in meaning.codes:
-        meaning.drilling = meaning.cycle is not None or meaning.positions
-    if meaning.drilling and codes.CONTINUOUS in meaning.codes:
-        meaning.complain("G64 in the block of a cycle: whose P and Q are is not determined", "make it two blocks")
+        meaning.drilling = meaning.cycle is not None or meaning.positions or bool(meaning.data)
+        if meaning.drilling:
+            meaning.complain("G64 in the block of a cycle: whose P and Q are is not determined", "make it two blocks")
     if codes.TOOL_NUMBER not in meaning.miscellaneous:
         return
     number = meaning.parameters.get("Q", -1.0)

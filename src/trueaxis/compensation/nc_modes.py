@@ -19,7 +19,7 @@ GROUP_01 = "G80 ends the cycle: G{}, which was in force before it, is in force a
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 
 
-EXACT = "LinuxCNC drills in exact path mode: G61 is put in before the holes, and G64 of the program behind them again"
+EXACT = "LinuxCNC drills in exact path mode: G61 is put in before the holes, and the G64 of the program behind them"
 EXACT_SINCE = (
     "the program does not say its path mode (G61, G64 P) before this cycle, which LinuxCNC drills in exact path mode: "
     "G61 stays in force after it, as the mode and tolerance of the control are not known"

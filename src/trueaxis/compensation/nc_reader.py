@@ -162,7 +162,7 @@ class NcReader:
         self._tools.length(number, meaning)
         state.due = self._tools.due
         items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)
-        items = self._path_again(line, meaning) + items + self._frames.select(number, meaning)
+        items = self._path_again(line[len(body) :], meaning) + items + self._frames.select(number, meaning)
         if state.point_control and (meaning.in_machine_coordinates or meaning.data_code in _MACHINE_DATA):
             self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
         if meaning.data_code is not None or meaning.drilling:
@@ -179,14 +179,13 @@ class NcReader:
             state.ended = number
         return items
 
-    def _path_again(self, line: str, meaning: Meaning) -> list[Item]:
-        """The path mode of the program, where a cycle ends with this block."""
+    def _path_again(self, eol: str, meaning: Meaning) -> list[Item]:
+        """The path mode of the program, where a cycle ends with this block; eol: the end of its line."""
         state = self._state
         if state.cycle is not None and codes.END.isdisjoint(meaning.miscellaneous):
             return []
         again = state.path.leave_cycle(state.inch)
-        eol = line[len(line.rstrip("\r\n")) :] or "\n"
-        return [again + eol] if again else []
+        return [again + (eol or "\n")] if again else []
 
     def _data(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """A block whose axis words are not simply where to go."""

@@ -140,14 +140,13 @@ def _ball_bar(
         default = cast(Vector, tuple(float(round(value, 9)) for value in at))
     if tool is None or (plane is None and not source.positions):
         return None  # where the other ball is may follow from these
-    home = {axis: min(max(0.0, low), high) for axis, (low, high) in machine.travel.items()}  # no reading counts from it
     meaning = "where the ball on the workpiece is, in the frame of the workpiece, mm"
     ball = own.vector("reference.point", meaning, "X,Y,Z", default=default)
     if length is None or ball is None:
         return None
     run = Run(
         id=run_id, instrument="ballbar", target=PointOn("tool", tool), reference=PointOn("workpiece", ball),
-        frame="bed", home=home, length=length,
+        frame="bed", home=dict.fromkeys(machine.axes, 0.0), length=length,
     )  # fmt: skip
     reading = source.reading - length if source.whole_length else source.reading
     remarks = source.assumed
@@ -275,7 +274,8 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
     for row, axis in enumerate(machine.axes):
         low, high = machine.travel[axis]
         outside = found.positions[row][(found.positions[row] < low) | (found.positions[row] > high)]
-        if outside.size or not low <= run.home[axis] <= high:
+        away = run.instrument != "ballbar" and not low <= run.home[axis] <= high  # no reading of a bar counts from home
+        if outside.size or away:
             worst = outside[0] if outside.size else run.home[axis]
             problem = f"{axis} = {worst:.6g} is outside the travel"
             own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low!r} to {high!r}"))

@@ -28,7 +28,8 @@ from trueaxis.model.model import MachineModel
 
 COMPENSATION = "compensation"
 LONGEST_LIST = 200  # characters of the columns that were not read
-HELD, REPLACED = "holds other measured data, which would be lost", "another folder, or --replace"
+HELD = "holds other measured data, which would be lost"
+REPLACED = "another folder, or --replace (in Python replace=True)"
 KeyValue = str | float | Sequence[float]
 Ask = Callable[[Question, Mapping[str, str], Sequence[Fault]], str]
 

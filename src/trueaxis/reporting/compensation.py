@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from trueaxis.compensation.elsewhere import NEAR, OffsetUse, UnknownPlaces, UnnamedFeeds
 from trueaxis.compensation.logs import Lines
 from trueaxis.compensation.report import CompensationReport, Errors, Failure
-from trueaxis.compensation.settings import MM_PER_INCH, Settings
+from trueaxis.compensation.settings import MM_PER_INCH
 from trueaxis.compensation.sign_check import Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
 
@@ -113,14 +113,14 @@ def _troubles(report: CompensationReport) -> list[str]:
         ("singular poses, one direction of the tool axis not corrected", report.singular),
     )
     return [
-        *(_coarse_words(report, settings) if report.over_tolerance.points else []),
+        *(_coarse_words(report) if report.over_tolerance.points else []),
         *(f"{name}: {_points(found)}" for name, found in kinds if found.points),
     ]
 
 
-def _coarse_words(report: CompensationReport, settings: Settings) -> list[str]:
+def _coarse_words(report: CompensationReport) -> list[str]:
     """Where the rounding of words alone passes the tolerance, so that no compensation can reach it."""
-    found = []
+    settings, found = report.settings, []
     for inch in (False, True):
         step, unit = (settings.inch_step, "inch") if inch else (settings.resolution, "mm")
         off = 0.5 * math.sqrt(3.0) * step * (MM_PER_INCH if inch else 1.0)
