@@ -15,7 +15,7 @@ from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
 from trueaxis.diagnosis.extend import changed, identified_anew, kept_readings, named_effects, reidentified, start_values
 from trueaxis.diagnosis.result import Evidence, FloatArray, Verdict
-from trueaxis.diagnosis.rows import smoothed
+from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.curves import PolynomialCurve, TableCurve

@@ -1,4 +1,4 @@
-"""The thermometer's flicker goes, the course of the temperature stays."""
+"""The thermometer's flicker goes, the course of the temperature stays, and runs without one are no obstacle."""
 
 from dataclasses import replace
 
@@ -8,7 +8,11 @@ import pytest
 
 from tests.diagnosis.prepared import SMALL, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnosis.rows import smoothed
+from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import Hidden
+from tests.hidden_effects.temperature import Course
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.temperature import assumed, smoothed
 from trueaxis.measurement.data import MeasuredData
 
 
@@ -63,3 +67,53 @@ def test_a_run_with_a_gap_in_its_temperature_stays_as_it_is(data: MeasuredData) 
     np.testing.assert_array_equal(found[run == 0], noisy[run == 0])
     assert np.isfinite(found[run != 0]).all()
     assert not np.array_equal(found[run == 1], noisy[run == 1])
+
+
+def warm_shop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """5 K above the reference, and 3 K up and down in the course of the campaign."""
+
+    def air(course: Course, time: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        return np.asarray(25.0 + 3.0 * np.sin(1.6 * np.pi * time / course.duration + course.phase))
+
+    monkeypatch.setattr(Course, "air", air)
+
+
+@pytest.mark.parametrize(("seed", "component"), [(1016, "EYY"), (1017, "EXX"), (1018, "EZZ")])
+def test_growth_is_told_by_the_runs_that_have_a_temperature(
+    monkeypatch: pytest.MonkeyPatch, seed: int, component: str
+) -> None:
+    """Every second run has none: it was as warm as any other, and nobody wrote it down.
+
+    Of growth that followed the time as well as the temperature either name may be given, and no other.
+    """
+    warm_shop(monkeypatch)
+    growth_of = f"thermal_expansion {component}"
+    design = Design(lines=2, repeats=3, targets=16, samples=72, feeds=(1000.0,))
+    growth = Hidden("thermal_expansion", component, size=-1.2e-5)
+    given = prepared(Case(seed, design=design, effects=(growth,), given="exact"))
+    temperature, run = given.data.readings.temperature, given.data.readings.run
+    assert temperature is not None
+    some = with_temperature(given.data, np.where(run % 2 == 1, np.nan, temperature))
+    said = diagnose(given.model, some)
+    (cause,) = said.causes
+    names = [cause.effect.label, *(one.effect.label for one in cause.rivals)]
+    assert names in ([growth_of], [f"warm_up {component}", growth_of])
+    if names == [growth_of]:
+        assert cause.parameters[0].value == pytest.approx(growth.size, rel=0.15)
+    (without,) = [one for one in said.absences if one.lack == "temperature"]
+    assert without.runs == tuple(given.data.readings.run_ids[1::2])
+
+
+def test_a_run_without_a_temperature_is_as_warm_as_the_others() -> None:
+    """On average, and not as it is where none has one; a gap within a run stays."""
+    readings = prepared(Case(seed=1, design=SMALL, noise="none", given="exact")).data.readings
+    levels = np.where(readings.run == 0, 30.0, np.where(readings.run == 1, np.nan, 20.0))
+    gap = int(np.flatnonzero(readings.run == 0)[3])
+    levels[gap] = np.nan
+    found = assumed(replace(readings, temperature=levels)).temperature
+    assert found is not None
+    runs = len(readings.run_ids)
+    np.testing.assert_allclose(found[readings.run == 1], (30.0 + 20.0 * (runs - 2)) / (runs - 1))
+    np.testing.assert_array_equal(found[readings.run != 1], levels[readings.run != 1])
+    nothing = replace(readings, temperature=np.full_like(levels, np.nan))
+    assert assumed(nothing) is nothing

@@ -9,6 +9,7 @@ from trueaxis.diagnosis.audit import Audit
 from trueaxis.diagnosis.of_plan import Absence
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.signature import Readings
+from trueaxis.diagnosis.temperature import without_temperature
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Kind
 
@@ -21,6 +22,7 @@ def absences(readings: Readings, audit: Audit) -> tuple[Absence, ...]:
     rows = readings.rows
     return (
         *_columns(readings, audit),
+        *_assumed(rows),
         *_instruments(rows, audit),
         *_directions(readings),
         *_feeds(readings),
@@ -38,6 +40,12 @@ def _columns(readings: Readings, audit: Audit) -> Iterator[Absence]:
         hit = [name for name in kinds if name in lacking and _uses(kinds[name], variables)]
         if unknown.any() and hit:
             yield Absence(lack="column", place=column, kinds=tuple(hit), empty=(int(unknown.sum()), unknown.size))
+
+
+def _assumed(rows: Rows) -> Iterator[Absence]:
+    guessed = np.unique(rows.run[without_temperature(rows.temperature, rows.context.temperature)])
+    if guessed.size:
+        yield Absence(lack="temperature", runs=tuple(rows.runs[index].id for index in guessed))
 
 
 def _uses(kind: Kind, variables: Sequence[str]) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.of_plan import Limit, Observability
 from trueaxis.diagnosis.projection import Projection, orthonormal
-from trueaxis.diagnosis.result import FloatArray, IntArray
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Signature
 from trueaxis.diagnosis.signatures import signature_of
@@ -64,7 +64,7 @@ def audit(ground: Ground) -> Audit:
     seen: list[_Seen] = []
     limits: dict[Effect, Limit] = {}
     for effect, signature, whole, rest in _left(ground, plain):
-        k = signature.terms.shape[2]
+        k = signature.terms.shape[2] - signature.free
         parts = [slice(start, start + k) for start in range(0, whole.shape[1], k)]
         middle = parts[len(parts) // 2]
         raw = signature.columns(slice(len(parts) // 2, len(parts) // 2 + 1))[:, 0]
@@ -95,7 +95,7 @@ def audit(ground: Ground) -> Audit:
 
 
 def _left(ground: Ground, base: Projection) -> Iterator[tuple[Effect, Signature, FloatArray, FloatArray]]:
-    """Each candidate with its signature, whitened, (n, points k), and what the base leaves of it.
+    """Each candidate with its signature, whitened, (n, points k), and what the base and amplitudes of runs leave of it.
 
     Many at once: for a column or two the base would be read as often as for a hundred.
     """
@@ -111,8 +111,24 @@ def _left(ground: Ground, base: Projection) -> Iterator[tuple[Effect, Signature,
             rest = base.rest(np.hstack([one for *_, one in waiting]))
             ends = np.cumsum([one.shape[1] for *_, one in waiting])
             for (one, its, columns), left in zip(waiting, np.split(rest, ends[:-1], axis=1), strict=True):
-                yield one, its, columns, left
+                yield one, its, columns[:, _own(its)], _without_runs(left, its)
             waiting = []
+
+
+def _own(signature: Signature) -> BoolArray:
+    """(points k,): amplitudes of the effect, not of runs."""
+    _, count, k = signature.terms.shape
+    return np.tile(np.arange(k) < k - signature.free, count)
+
+
+def _without_runs(left: FloatArray, signature: Signature) -> FloatArray:
+    """What the amplitudes of runs leave of those of the effect, point by point."""
+    own = _own(signature)
+    if signature.free == 0:
+        return left
+    parts = [np.split(one, len(signature.points), axis=1) for one in (left[:, own], left[:, ~own])]
+    runs = map(orthonormal, parts[1])
+    return np.hstack([one - of_runs @ (of_runs.T @ one) for one, of_runs in zip(parts[0], runs, strict=True)])
 
 
 def _shown(ground: Ground, effect: Effect) -> Signature:

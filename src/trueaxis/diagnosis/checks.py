@@ -110,8 +110,9 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Str
             np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
         )
     yield Structure(StructureClass.LINE_COURSE, name, _course(rows, mine))
-    if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
-        warm = np.where(mine, rows.temperature - rows.temperature[mine].mean(), 0.0)
+    read = mine & np.isfinite(rows.temperature) if rows.temperature is not None else np.zeros_like(mine)
+    if rows.temperature is not None and read.any():
+        warm = np.where(read, rows.temperature - rows.temperature[read].mean(), 0.0)
         yield Structure(
             StructureClass.LINE_TEMPERATURE,
             name,

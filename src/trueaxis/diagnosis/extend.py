@@ -12,7 +12,7 @@ from numpy.polynomial import chebyshev
 
 from trueaxis.diagnosis.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
-from trueaxis.diagnosis.rows import smoothed
+from trueaxis.diagnosis.temperature import assumed, smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
@@ -54,9 +54,9 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
 
 
 def kept_readings(data: MeasuredData, diagnosis: Diagnosis) -> Observations:
-    """The readings that the diagnosis worked on."""
+    """The readings that the diagnosis worked on, with the temperatures that it assumed."""
     taken = np.flatnonzero(~data.readings.planned)
-    everything = observations("readings", data.setup.runs, smoothed(data).readings)
+    everything = observations("readings", data.setup.runs, assumed(smoothed(data).readings))
     return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 

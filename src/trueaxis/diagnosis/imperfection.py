@@ -14,12 +14,14 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from trueaxis.diagnosis.projection import Projection, orthonormal
-from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.result import BoolArray, FloatArray
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Fitted, Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
+from trueaxis.diagnosis.temperature import warmer, without_temperature
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.placement import SINCE_REVERSAL, VARIABLES
+from trueaxis.model.context import Context
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
 UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read
@@ -96,13 +98,28 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         since = np.where(np.isnan(since), np.inf, since)  # of readings that the effect does not reach
         for way in TAKEN_UP[counted]:
             yield FLANK * signal * np.exp(-since / way)
-    if "T" in used and rows.time is not None and np.isfinite(rows.time).all():
+    if "T" in used:
+        yield from _of_temperature(readings, cause)
+    yield from _of_searched(readings, cause)
+
+
+def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+    """What the machine's own temperature does, other than that which was read or, of a run that has none, assumed."""
+    rows, context = readings.rows, readings.context
+
+    def at(context: Context) -> FloatArray:
+        other = replace(readings, context=context, memory=Memory())
+        return parameter_signature(other, cause.effect, cause.values)[0] - cause.signal
+
+    guessed = without_temperature(rows.temperature, context.temperature)
+    if rows.time is not None and np.isfinite(rows.time).all():
         share, constants = LAG
         for constant in constants:
-            late = replace(readings.context, temperature=_followed(readings, constant))
-            other = replace(readings, context=late, memory=Memory())
-            yield share * (parameter_signature(other, cause.effect, cause.values)[0] - signal)
-    yield from _of_searched(readings, cause)
+            yield share * at(replace(context, temperature=_followed(context, ~guessed, constant)))
+    if guessed.any():
+        change = at(warmer(context))
+        for index in np.unique(rows.run[guessed]):
+            yield np.where(rows.run == index, change, 0.0)
 
 
 def _of_searched(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
@@ -129,9 +146,9 @@ def _axes(cause: Fitted) -> tuple[str, ...]:
     return tuple(axis for axis in (cause.effect.own_axis, cause.effect.axis) if axis)
 
 
-def _followed(readings: Readings, constant: float) -> FloatArray:
-    """(n,), degC: a temperature that follows that of the readings with a time constant, s."""
-    time, temperature = readings.context.time, readings.context.temperature
+def _followed(context: Context, read: BoolArray, constant: float) -> FloatArray:
+    """(n,), degC: a temperature that follows that of the readings with a time constant, s; others keep theirs."""
+    time, temperature = context.time[read], context.temperature[read]
     order = np.argsort(time, kind="stable")
     grid = np.linspace(float(time.min()), float(time.max()), SAMPLES)
     air = np.interp(grid, time[order], temperature[order])
@@ -140,4 +157,6 @@ def _followed(readings: Readings, constant: float) -> FloatArray:
     followed[0] = air[0]
     for k in range(1, SAMPLES):
         followed[k] = followed[k - 1] + share * (air[k] - followed[k - 1])
-    return np.interp(time, grid, followed)
+    found = context.temperature.copy()
+    found[read] = np.interp(time, grid, followed)
+    return found

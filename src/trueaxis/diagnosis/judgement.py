@@ -30,7 +30,7 @@ TELLING = 1e-3  # share of the information below which a group says nothing of t
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Judged:
     """search: with the rivals of causes that are named; causes, groups: those, with their amplitudes; stand: whether
-    what was found may be named.
+    what was found may be named; unnamed: causes of the machine that were found and may not be.
     """
 
     search: Search
@@ -40,6 +40,7 @@ class Judged:
     stand: bool
     off: tuple[Off, ...] = ()
     misfits: tuple[str, ...] = ()
+    unnamed: tuple[Fitted, ...] = ()
 
 
 def judged_causes(
@@ -64,7 +65,8 @@ def judged_causes(
 def without_names(ground: Ground, judged: Judged) -> Judged:
     """With what all checks see beside no cause."""
     checks = _checks(ground, ground.base, ground.base.rest(ground.values)) if judged.causes else judged.checks
-    return Judged(search=judged.search, causes=(), groups=(), checks=checks, stand=False)
+    unnamed = tuple(one for one in judged.causes if one.kind.place in ("component", "location"))
+    return Judged(search=judged.search, causes=(), groups=(), checks=checks, stand=False, unnamed=unnamed)
 
 
 def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]) -> tuple[Judged, Changes]:
@@ -92,8 +94,11 @@ def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence
 def judged_runs(
     ground: Ground, null: Null, judged: Judged, changes: Changes, standing: Sequence[Fitted]
 ) -> tuple[Judged, Changes]:
-    """Runs that no errors of the machine fit."""
-    known, nothing = (*standing, *judged.causes), np.zeros((null.rows.size, 0))
+    """Runs that no errors of the machine fit, beside causes of the machine, whether these may be named or not.
+
+    What is left beside a cause may be a wrong run; without the cause sound ones would be the first to look wrong.
+    """
+    known, nothing = (*standing, *judged.causes, *judged.unnamed), np.zeros((null.rows.size, 0))
     signals = [*(one.signal for one in known), *(one.signal for one in judged.off)]
     besides = _besides(ground, judged, known)
     causes = Known(np.column_stack([nothing, *signals]), np.column_stack([nothing, *besides]))

@@ -10,7 +10,7 @@ from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect
 
 Observability = Literal["observable", "confounded", "unobservable"]
-Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed"]
+Lack = Literal["column", "temperature", "instrument", "one_side", "one_direction", "one_feed"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +91,8 @@ class NextRun:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Absence:
     """What the data lack. place: column, axis of lines, plane of circles, or instrument; kinds: of effects that cannot
-    be seen; empty: share of readings without the column; lacking: instruments that no run has.
+    be seen; empty: share of readings without the column; lacking: instruments that no run has; runs: ids of those whose
+    temperature is assumed.
     """
 
     lack: Lack
@@ -99,3 +100,4 @@ class Absence:
     kinds: tuple[str, ...] = ()
     empty: tuple[int, int] = (0, 0)
     lacking: tuple[str, ...] = ()
+    runs: tuple[str, ...] = ()

@@ -21,10 +21,11 @@ from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnosis.rivals import with_best_periods
 from trueaxis.diagnosis.roughness import roughness_of
-from trueaxis.diagnosis.rows import Rows, rows_of, smoothed
+from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.diagnosis.search import MOST_CAUSES, Each, Found, Ground, Search, search
 from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.stale import Changes
+from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.diagnosis.write_up import Outcome, diagnosis_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings

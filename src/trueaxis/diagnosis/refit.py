@@ -1,6 +1,7 @@
 """All causes fitted together: Gauss-Newton with shortened steps, with the derivatives that the kernels give."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,6 +21,7 @@ def refit(ground: Ground, causes: Sequence[Found], steps: int = STEPS) -> tuple[
     """Values and standard uncertainties of all parameters, base projected out. steps: at most."""
     if not causes:
         return ()
+    ground = _beside_free_runs(ground, causes)
     kinds = [one.signature.kind for one in causes]
     effects = [one.scan.effect for one in causes]
     values = [start_of(one) for one in causes]
@@ -47,12 +49,19 @@ def refit(ground: Ground, causes: Sequence[Found], steps: int = STEPS) -> tuple[
     )
 
 
+def _beside_free_runs(ground: Ground, causes: Sequence[Found]) -> Ground:
+    """What runs without a temperature have of a cause says nothing of its size."""
+    free = [one.signature.over_all()[:, -one.signature.free :] for one in causes if one.signature.free]
+    return replace(ground, wide=ground.wide.extended(ground.whitening(np.hstack(free)))) if free else ground
+
+
 def _bounds(one: Found, values: FloatArray, readings: Readings) -> tuple[FloatArray, FloatArray]:
-    """How far each parameter may go: searched ones stay by the place where the search found them.
+    """How far each parameter may go: none beyond what is possible, searched ones by the place where they were found.
 
     A period as far as another half of it fits into the range of the axis: farther off it is another period.
     """
-    low, high = np.full(values.size, -np.inf), np.full(values.size, np.inf)
+    most = one.signature.most
+    low, high = np.full(values.size, -most), np.full(values.size, most)
     for place, parameter in enumerate(one.signature.kind.parameters):
         if parameter.role != "grid":
             continue
@@ -126,7 +135,7 @@ def start_of(one: Found) -> FloatArray:
     elif roots:
         found[roots[0]] = float(np.sqrt(max(scan.amplitudes[0], 0.0)))
     else:
-        found |= dict(zip(linear, scan.amplitudes.tolist(), strict=True))
+        found |= dict(zip(linear, scan.amplitudes[: len(linear)].tolist(), strict=True))
     return np.array([found[each.name] for each in kind.parameters])
 
 

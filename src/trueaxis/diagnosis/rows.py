@@ -1,13 +1,13 @@
 """The readings that a diagnosis works on: sorted by run and order, each run one stretch of rows."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import Legendre
 
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnosis.temperature import assumed
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.data import MeasuredData
@@ -15,8 +15,6 @@ from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
-BENDS_S = 600.0  # s, of a run, for each further degree beyond 2
-PER_DEGREE = 8  # readings, at least
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -26,7 +24,8 @@ class Rows:
     row: place in the file; run: index into runs; positions, directions: (n_axes, n), mm or deg and -1, 0, +1; reading:
     mm; time (s), temperature (degC), feed (mm/min): None where the file has none. target: rows with the same number
     were read at the same place, approached the same way at the same feed, with the same set-up; passing: number of
-    the earlier rows of the same run with the same target. context: that of each row, from all rows of its run.
+    the earlier rows of the same run with the same target. context: that of each row, from all rows of its run, with
+    a temperature assumed where only other runs have one.
     """
 
     runs: tuple[Run, ...]
@@ -112,7 +111,7 @@ def rows_of(data: MeasuredData) -> Rows:
         setup=setup,
         target=_targets(setup, positions, directions, feed),
         passing=np.zeros(order.size, dtype=np.int64),
-        context=context_of(runs, readings).of(order),
+        context=context_of(runs, assumed(readings)).of(order),
     ).only(keep)
     return _with_passes(everything)
 
@@ -169,24 +168,3 @@ def as_slice(rows: IntArray) -> IntArray | slice:
     """Rows, ascending, as a slice where they follow one another: what they choose is then no copy."""
     first, last = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
     return slice(first, last) if last - first == rows.size else rows
-
-
-def smoothed(data: MeasuredData) -> MeasuredData:
-    """The data with the course of the temperature in place of its readings; as they are where a clock is missing."""
-    readings = data.readings
-    if readings.time is None or readings.temperature is None:
-        return data
-    course = readings.temperature.copy()
-    for index in range(len(readings.run_ids)):
-        mine = readings.run == index
-        if np.isfinite(readings.time[mine]).all() and np.isfinite(course[mine]).all():
-            course[mine] = _course(readings.time[mine], course[mine])
-    return replace(data, readings=replace(readings, temperature=course))
-
-
-def _course(time: FloatArray, temperature: FloatArray) -> FloatArray:
-    span = float(np.ptp(time)) if time.size else 0.0
-    degree = min(2 + int(span / BENDS_S), time.size // PER_DEGREE)
-    if span == 0.0 or degree < 1:
-        return temperature
-    return np.asarray(Legendre.fit(time, temperature, degree)(time))

@@ -98,7 +98,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
 def statistics(signature: Signature, known: Prepared, residual: Residual) -> tuple[FloatArray, FloatArray]:
     """(points,) what a candidate explains at each point of its grid, and (points, k) with which amplitudes."""
     inside = signature.products(residual.back)
-    gram = known.gram - _gram(inside[1:], inside[1:])
+    gram = known.gram - _gram(inside[1:], inside[1:]) + np.eye(known.gram.shape[1]) / signature.most**2
     return explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
 
 

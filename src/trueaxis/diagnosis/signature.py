@@ -14,7 +14,7 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.first_order import sensed
-from trueaxis.measurement.reading_effects import reading_context_of
+from trueaxis.measurement.reading_effects import reading_context
 from trueaxis.model.context import Context, ReadingContext
 from trueaxis.model.model import MachineModel
 
@@ -40,7 +40,8 @@ class Signature:
     support: (n_support,), ascending, rows of the runs where it may differ from 0; terms: (t, n_points, k), per unit of
     the k linear amplitudes, shared with other candidates; place: (n_support,), which of the terms each row has, all of
     them in order where it is a slice; lever: (n_support,), mm per unit; size: the number of all rows; points: values of
-    the searched parameters; missing: what the data lack for it, empty where nothing.
+    the searched parameters; missing: what the data lack for it, empty where nothing; free: how many of the amplitudes,
+    the last, are of runs whose temperature is assumed; most: one standard deviation of what amplitudes can be at all.
     """
 
     effect: Effect
@@ -52,6 +53,8 @@ class Signature:
     size: int
     points: tuple[Mapping[str, float], ...]
     missing: str = ""
+    free: int = 0
+    most: float = np.inf
 
     def columns(self, points: slice) -> FloatArray:
         """(n_support, n_points, k), mm: those at some of the points."""
@@ -151,7 +154,9 @@ def readings_of(model: MachineModel, rows: Rows) -> Readings:
         model=model,
         rows=rows,
         context=rows.context,
-        reading=reading_context_of(model, rows.runs, rows),
+        reading=reading_context(
+            model, rows.runs, rows.run, rows.positions, rows.context.time, rows.context.temperature
+        ),
         sensitivity=sensitivity,
         memory=Memory(),
     )

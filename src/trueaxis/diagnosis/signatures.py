@@ -5,14 +5,16 @@ Nothing here is written for an instrument by hand: sensitivities come from the d
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.result import FloatArray, IntArray
-from trueaxis.diagnosis.signature import Fitted, Readings, Signature, Terms
+from trueaxis.diagnosis.signature import Fitted, Memory, Readings, Signature, Terms
+from trueaxis.diagnosis.temperature import warmer, without_temperature
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import concerns
+from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.error_name import DISPLACEMENTS
 from trueaxis.estimation.jacobian import places_of
 from trueaxis.machine.machine import LINEAR
@@ -52,7 +54,7 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
         place = found.place[support]
         # what the component does not reach is not spoilt by what is unknown there
         missing = "" if found.known[place[lever != 0.0]].all() else _missing(readings)
-        return Signature(
+        signature = Signature(
             effect=effect,
             kind=kind,
             terms=found.values,
@@ -63,6 +65,7 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
             points=points,
             missing=missing,
         )
+        return _with_free_runs(readings, signature)
     if kind.place == "reading":
         terms = _of_reading(readings, effect, kind, points, support)
     else:
@@ -79,7 +82,33 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
         size=size,
         points=points,
         missing=missing,
+        most=_extent(readings) if kind.place == "point" else np.inf,
     )
+
+
+def _extent(readings: Readings) -> float:
+    """mm, of the travels together: no point of a machine is farther from where it is said to be."""
+    travel = readings.model.travel
+    return float(np.linalg.norm([travel[axis][1] - travel[axis][0] for axis in readings.model.axes if axis in LINEAR]))
+
+
+def _with_free_runs(readings: Readings, signature: Signature) -> Signature:
+    """With an amplitude more for each run whose temperature is assumed: what it changes there if that is another.
+
+    So an effect that follows the temperature is told by the runs that have one.
+    """
+    rows, kind, support = readings.rows, signature.kind, signature.support
+    run = rows.run[support]
+    free = np.unique(run[without_temperature(rows.temperature, rows.context.temperature)[support]])
+    bent = any(one.role in ("phase", "root") for one in kind.parameters)
+    if "T" not in used_variables(kind) or not free.size or bent:
+        return signature
+    changed = replace(readings, context=warmer(readings.context), memory=Memory())
+    found = _of_component(changed, signature.effect, kind, signature.points)
+    terms = signature.terms[signature.place]
+    change = (found.values[found.place[support]] - terms)[:, :, :1]
+    of_runs = change * (run[:, np.newaxis] == free)[:, np.newaxis, :]
+    return replace(signature, terms=np.concatenate([terms, of_runs], axis=2), place=slice(None), free=free.size)
 
 
 def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -21,9 +21,10 @@ from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.projection import Projection, spanned
-from trueaxis.diagnosis.rows import Rows, rows_of, smoothed
+from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.diagnosis.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
 from trueaxis.diagnosis.signature import readings_of
+from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.measurement.data import read_data
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.model import MachineModel, load_model

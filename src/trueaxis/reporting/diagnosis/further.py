@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from trueaxis.diagnosis.of_plan import Absence, NextRun, Placed, Separating, Told
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
+from trueaxis.diagnosis.temperature import UNKNOWN
 from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look
@@ -23,6 +24,7 @@ from trueaxis.reporting.diagnosis.words import (
 )
 
 DIGITS = 2  # of sizes that are told apart
+NAMED = 4  # runs; more of them are counted
 _INSTRUMENTS = {"ballbar": "a ball bar", "laser": "a laser"}
 
 
@@ -96,6 +98,9 @@ def absence_sentence(one: Absence) -> str:
             lacking, size = one.empty
             where = f"with {one.place} empty in {lacking} of {size} readings" if lacking < size else ""
             return f"{where or f'without {one.place}'}: {enumerated(one.kinds)} cannot be seen"
+        case "temperature":
+            runs = enumerated(one.runs) if len(one.runs) <= NAMED else f"{len(one.runs)} runs"
+            return f"{runs} without temperature_c: taken as the mean of the other runs, give or take {UNKNOWN:g} K"
         case "instrument":
             without = enumerated([_INSTRUMENTS[name] for name in one.lacking], "or")
             where = f"without {without}" if without else "in these runs"
