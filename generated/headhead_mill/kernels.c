@@ -1284,12 +1284,12 @@ void headhead_mill_workpiece_in_bed_deviation(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        deviation[0 * stride + i] = 0.0;
-        deviation[1 * stride + i] = 0.0;
-        deviation[2 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 3; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            deviation[row * stride + i] = 0.0;
+        }
     }
 }
 
@@ -1316,12 +1316,12 @@ void headhead_mill_workpiece_in_bed_deviation_first_order(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        deviation[0 * stride + i] = 0.0;
-        deviation[1 * stride + i] = 0.0;
-        deviation[2 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 3; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            deviation[row * stride + i] = 0.0;
+        }
     }
 }
 
@@ -1345,141 +1345,12 @@ void headhead_mill_workpiece_in_bed_sensitivity(
     (void)positions;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        sensitivity[0 * stride + i] = 0.0;
-        sensitivity[1 * stride + i] = 0.0;
-        sensitivity[2 * stride + i] = 0.0;
-        sensitivity[3 * stride + i] = 0.0;
-        sensitivity[4 * stride + i] = 0.0;
-        sensitivity[5 * stride + i] = 0.0;
-        sensitivity[6 * stride + i] = 0.0;
-        sensitivity[7 * stride + i] = 0.0;
-        sensitivity[8 * stride + i] = 0.0;
-        sensitivity[9 * stride + i] = 0.0;
-        sensitivity[10 * stride + i] = 0.0;
-        sensitivity[11 * stride + i] = 0.0;
-        sensitivity[12 * stride + i] = 0.0;
-        sensitivity[13 * stride + i] = 0.0;
-        sensitivity[14 * stride + i] = 0.0;
-        sensitivity[15 * stride + i] = 0.0;
-        sensitivity[16 * stride + i] = 0.0;
-        sensitivity[17 * stride + i] = 0.0;
-        sensitivity[18 * stride + i] = 0.0;
-        sensitivity[19 * stride + i] = 0.0;
-        sensitivity[20 * stride + i] = 0.0;
-        sensitivity[21 * stride + i] = 0.0;
-        sensitivity[22 * stride + i] = 0.0;
-        sensitivity[23 * stride + i] = 0.0;
-        sensitivity[24 * stride + i] = 0.0;
-        sensitivity[25 * stride + i] = 0.0;
-        sensitivity[26 * stride + i] = 0.0;
-        sensitivity[27 * stride + i] = 0.0;
-        sensitivity[28 * stride + i] = 0.0;
-        sensitivity[29 * stride + i] = 0.0;
-        sensitivity[30 * stride + i] = 0.0;
-        sensitivity[31 * stride + i] = 0.0;
-        sensitivity[32 * stride + i] = 0.0;
-        sensitivity[33 * stride + i] = 0.0;
-        sensitivity[34 * stride + i] = 0.0;
-        sensitivity[35 * stride + i] = 0.0;
-        sensitivity[36 * stride + i] = 0.0;
-        sensitivity[37 * stride + i] = 0.0;
-        sensitivity[38 * stride + i] = 0.0;
-        sensitivity[39 * stride + i] = 0.0;
-        sensitivity[40 * stride + i] = 0.0;
-        sensitivity[41 * stride + i] = 0.0;
-        sensitivity[42 * stride + i] = 0.0;
-        sensitivity[43 * stride + i] = 0.0;
-        sensitivity[44 * stride + i] = 0.0;
-        sensitivity[45 * stride + i] = 0.0;
-        sensitivity[46 * stride + i] = 0.0;
-        sensitivity[47 * stride + i] = 0.0;
-        sensitivity[48 * stride + i] = 0.0;
-        sensitivity[49 * stride + i] = 0.0;
-        sensitivity[50 * stride + i] = 0.0;
-        sensitivity[51 * stride + i] = 0.0;
-        sensitivity[52 * stride + i] = 0.0;
-        sensitivity[53 * stride + i] = 0.0;
-        sensitivity[54 * stride + i] = 0.0;
-        sensitivity[55 * stride + i] = 0.0;
-        sensitivity[56 * stride + i] = 0.0;
-        sensitivity[57 * stride + i] = 0.0;
-        sensitivity[58 * stride + i] = 0.0;
-        sensitivity[59 * stride + i] = 0.0;
-        sensitivity[60 * stride + i] = 0.0;
-        sensitivity[61 * stride + i] = 0.0;
-        sensitivity[62 * stride + i] = 0.0;
-        sensitivity[63 * stride + i] = 0.0;
-        sensitivity[64 * stride + i] = 0.0;
-        sensitivity[65 * stride + i] = 0.0;
-        sensitivity[66 * stride + i] = 0.0;
-        sensitivity[67 * stride + i] = 0.0;
-        sensitivity[68 * stride + i] = 0.0;
-        sensitivity[69 * stride + i] = 0.0;
-        sensitivity[70 * stride + i] = 0.0;
-        sensitivity[71 * stride + i] = 0.0;
-        sensitivity[72 * stride + i] = 0.0;
-        sensitivity[73 * stride + i] = 0.0;
-        sensitivity[74 * stride + i] = 0.0;
-        sensitivity[75 * stride + i] = 0.0;
-        sensitivity[76 * stride + i] = 0.0;
-        sensitivity[77 * stride + i] = 0.0;
-        sensitivity[78 * stride + i] = 0.0;
-        sensitivity[79 * stride + i] = 0.0;
-        sensitivity[80 * stride + i] = 0.0;
-        sensitivity[81 * stride + i] = 0.0;
-        sensitivity[82 * stride + i] = 0.0;
-        sensitivity[83 * stride + i] = 0.0;
-        sensitivity[84 * stride + i] = 0.0;
-        sensitivity[85 * stride + i] = 0.0;
-        sensitivity[86 * stride + i] = 0.0;
-        sensitivity[87 * stride + i] = 0.0;
-        sensitivity[88 * stride + i] = 0.0;
-        sensitivity[89 * stride + i] = 0.0;
-        sensitivity[90 * stride + i] = 0.0;
-        sensitivity[91 * stride + i] = 0.0;
-        sensitivity[92 * stride + i] = 0.0;
-        sensitivity[93 * stride + i] = 0.0;
-        sensitivity[94 * stride + i] = 0.0;
-        sensitivity[95 * stride + i] = 0.0;
-        sensitivity[96 * stride + i] = 0.0;
-        sensitivity[97 * stride + i] = 0.0;
-        sensitivity[98 * stride + i] = 0.0;
-        sensitivity[99 * stride + i] = 0.0;
-        sensitivity[100 * stride + i] = 0.0;
-        sensitivity[101 * stride + i] = 0.0;
-        sensitivity[102 * stride + i] = 0.0;
-        sensitivity[103 * stride + i] = 0.0;
-        sensitivity[104 * stride + i] = 0.0;
-        sensitivity[105 * stride + i] = 0.0;
-        sensitivity[106 * stride + i] = 0.0;
-        sensitivity[107 * stride + i] = 0.0;
-        sensitivity[108 * stride + i] = 0.0;
-        sensitivity[109 * stride + i] = 0.0;
-        sensitivity[110 * stride + i] = 0.0;
-        sensitivity[111 * stride + i] = 0.0;
-        sensitivity[112 * stride + i] = 0.0;
-        sensitivity[113 * stride + i] = 0.0;
-        sensitivity[114 * stride + i] = 0.0;
-        sensitivity[115 * stride + i] = 0.0;
-        sensitivity[116 * stride + i] = 0.0;
-        sensitivity[117 * stride + i] = 0.0;
-        sensitivity[118 * stride + i] = 0.0;
-        sensitivity[119 * stride + i] = 0.0;
-        sensitivity[120 * stride + i] = 0.0;
-        sensitivity[121 * stride + i] = 0.0;
-        sensitivity[122 * stride + i] = 0.0;
-        sensitivity[123 * stride + i] = 0.0;
-        sensitivity[124 * stride + i] = 0.0;
-        sensitivity[125 * stride + i] = 0.0;
-        sensitivity[126 * stride + i] = 0.0;
-        sensitivity[127 * stride + i] = 0.0;
-        sensitivity[128 * stride + i] = 0.0;
-        sensitivity[129 * stride + i] = 0.0;
-        sensitivity[130 * stride + i] = 0.0;
-        sensitivity[131 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 132; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            sensitivity[row * stride + i] = 0.0;
+        }
     }
 }
 
@@ -1536,12 +1407,12 @@ void headhead_mill_bed_in_workpiece_deviation(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        deviation[0 * stride + i] = 0.0;
-        deviation[1 * stride + i] = 0.0;
-        deviation[2 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 3; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            deviation[row * stride + i] = 0.0;
+        }
     }
 }
 
@@ -1568,12 +1439,12 @@ void headhead_mill_bed_in_workpiece_deviation_first_order(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        deviation[0 * stride + i] = 0.0;
-        deviation[1 * stride + i] = 0.0;
-        deviation[2 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 3; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            deviation[row * stride + i] = 0.0;
+        }
     }
 }
 
@@ -1597,141 +1468,12 @@ void headhead_mill_bed_in_workpiece_sensitivity(
     (void)positions;
     (void)parameters;
     (void)point;
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        sensitivity[0 * stride + i] = 0.0;
-        sensitivity[1 * stride + i] = 0.0;
-        sensitivity[2 * stride + i] = 0.0;
-        sensitivity[3 * stride + i] = 0.0;
-        sensitivity[4 * stride + i] = 0.0;
-        sensitivity[5 * stride + i] = 0.0;
-        sensitivity[6 * stride + i] = 0.0;
-        sensitivity[7 * stride + i] = 0.0;
-        sensitivity[8 * stride + i] = 0.0;
-        sensitivity[9 * stride + i] = 0.0;
-        sensitivity[10 * stride + i] = 0.0;
-        sensitivity[11 * stride + i] = 0.0;
-        sensitivity[12 * stride + i] = 0.0;
-        sensitivity[13 * stride + i] = 0.0;
-        sensitivity[14 * stride + i] = 0.0;
-        sensitivity[15 * stride + i] = 0.0;
-        sensitivity[16 * stride + i] = 0.0;
-        sensitivity[17 * stride + i] = 0.0;
-        sensitivity[18 * stride + i] = 0.0;
-        sensitivity[19 * stride + i] = 0.0;
-        sensitivity[20 * stride + i] = 0.0;
-        sensitivity[21 * stride + i] = 0.0;
-        sensitivity[22 * stride + i] = 0.0;
-        sensitivity[23 * stride + i] = 0.0;
-        sensitivity[24 * stride + i] = 0.0;
-        sensitivity[25 * stride + i] = 0.0;
-        sensitivity[26 * stride + i] = 0.0;
-        sensitivity[27 * stride + i] = 0.0;
-        sensitivity[28 * stride + i] = 0.0;
-        sensitivity[29 * stride + i] = 0.0;
-        sensitivity[30 * stride + i] = 0.0;
-        sensitivity[31 * stride + i] = 0.0;
-        sensitivity[32 * stride + i] = 0.0;
-        sensitivity[33 * stride + i] = 0.0;
-        sensitivity[34 * stride + i] = 0.0;
-        sensitivity[35 * stride + i] = 0.0;
-        sensitivity[36 * stride + i] = 0.0;
-        sensitivity[37 * stride + i] = 0.0;
-        sensitivity[38 * stride + i] = 0.0;
-        sensitivity[39 * stride + i] = 0.0;
-        sensitivity[40 * stride + i] = 0.0;
-        sensitivity[41 * stride + i] = 0.0;
-        sensitivity[42 * stride + i] = 0.0;
-        sensitivity[43 * stride + i] = 0.0;
-        sensitivity[44 * stride + i] = 0.0;
-        sensitivity[45 * stride + i] = 0.0;
-        sensitivity[46 * stride + i] = 0.0;
-        sensitivity[47 * stride + i] = 0.0;
-        sensitivity[48 * stride + i] = 0.0;
-        sensitivity[49 * stride + i] = 0.0;
-        sensitivity[50 * stride + i] = 0.0;
-        sensitivity[51 * stride + i] = 0.0;
-        sensitivity[52 * stride + i] = 0.0;
-        sensitivity[53 * stride + i] = 0.0;
-        sensitivity[54 * stride + i] = 0.0;
-        sensitivity[55 * stride + i] = 0.0;
-        sensitivity[56 * stride + i] = 0.0;
-        sensitivity[57 * stride + i] = 0.0;
-        sensitivity[58 * stride + i] = 0.0;
-        sensitivity[59 * stride + i] = 0.0;
-        sensitivity[60 * stride + i] = 0.0;
-        sensitivity[61 * stride + i] = 0.0;
-        sensitivity[62 * stride + i] = 0.0;
-        sensitivity[63 * stride + i] = 0.0;
-        sensitivity[64 * stride + i] = 0.0;
-        sensitivity[65 * stride + i] = 0.0;
-        sensitivity[66 * stride + i] = 0.0;
-        sensitivity[67 * stride + i] = 0.0;
-        sensitivity[68 * stride + i] = 0.0;
-        sensitivity[69 * stride + i] = 0.0;
-        sensitivity[70 * stride + i] = 0.0;
-        sensitivity[71 * stride + i] = 0.0;
-        sensitivity[72 * stride + i] = 0.0;
-        sensitivity[73 * stride + i] = 0.0;
-        sensitivity[74 * stride + i] = 0.0;
-        sensitivity[75 * stride + i] = 0.0;
-        sensitivity[76 * stride + i] = 0.0;
-        sensitivity[77 * stride + i] = 0.0;
-        sensitivity[78 * stride + i] = 0.0;
-        sensitivity[79 * stride + i] = 0.0;
-        sensitivity[80 * stride + i] = 0.0;
-        sensitivity[81 * stride + i] = 0.0;
-        sensitivity[82 * stride + i] = 0.0;
-        sensitivity[83 * stride + i] = 0.0;
-        sensitivity[84 * stride + i] = 0.0;
-        sensitivity[85 * stride + i] = 0.0;
-        sensitivity[86 * stride + i] = 0.0;
-        sensitivity[87 * stride + i] = 0.0;
-        sensitivity[88 * stride + i] = 0.0;
-        sensitivity[89 * stride + i] = 0.0;
-        sensitivity[90 * stride + i] = 0.0;
-        sensitivity[91 * stride + i] = 0.0;
-        sensitivity[92 * stride + i] = 0.0;
-        sensitivity[93 * stride + i] = 0.0;
-        sensitivity[94 * stride + i] = 0.0;
-        sensitivity[95 * stride + i] = 0.0;
-        sensitivity[96 * stride + i] = 0.0;
-        sensitivity[97 * stride + i] = 0.0;
-        sensitivity[98 * stride + i] = 0.0;
-        sensitivity[99 * stride + i] = 0.0;
-        sensitivity[100 * stride + i] = 0.0;
-        sensitivity[101 * stride + i] = 0.0;
-        sensitivity[102 * stride + i] = 0.0;
-        sensitivity[103 * stride + i] = 0.0;
-        sensitivity[104 * stride + i] = 0.0;
-        sensitivity[105 * stride + i] = 0.0;
-        sensitivity[106 * stride + i] = 0.0;
-        sensitivity[107 * stride + i] = 0.0;
-        sensitivity[108 * stride + i] = 0.0;
-        sensitivity[109 * stride + i] = 0.0;
-        sensitivity[110 * stride + i] = 0.0;
-        sensitivity[111 * stride + i] = 0.0;
-        sensitivity[112 * stride + i] = 0.0;
-        sensitivity[113 * stride + i] = 0.0;
-        sensitivity[114 * stride + i] = 0.0;
-        sensitivity[115 * stride + i] = 0.0;
-        sensitivity[116 * stride + i] = 0.0;
-        sensitivity[117 * stride + i] = 0.0;
-        sensitivity[118 * stride + i] = 0.0;
-        sensitivity[119 * stride + i] = 0.0;
-        sensitivity[120 * stride + i] = 0.0;
-        sensitivity[121 * stride + i] = 0.0;
-        sensitivity[122 * stride + i] = 0.0;
-        sensitivity[123 * stride + i] = 0.0;
-        sensitivity[124 * stride + i] = 0.0;
-        sensitivity[125 * stride + i] = 0.0;
-        sensitivity[126 * stride + i] = 0.0;
-        sensitivity[127 * stride + i] = 0.0;
-        sensitivity[128 * stride + i] = 0.0;
-        sensitivity[129 * stride + i] = 0.0;
-        sensitivity[130 * stride + i] = 0.0;
-        sensitivity[131 * stride + i] = 0.0;
+    /* whatever is given */
+    for (size_t row = 0; row < 132; ++row) {
+        POINTS_ARE_INDEPENDENT
+        for (size_t i = 0; i < n; ++i) {
+            sensitivity[row * stride + i] = 0.0;
+        }
     }
 }
 

@@ -70,7 +70,11 @@ class Declaration:
 
 @dataclass(frozen=True, kw_only=True)
 class FunctionText(Declaration):
-    """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised."""
+    """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised.
+
+    zeros: outputs and their numbers of rows where all are zero whatever is given, such as the sensitivity of a chain
+    without axes: written row by row, since of a loop that writes 132 rows at once gcc takes half a minute.
+    """
 
     unused: tuple[str, ...]
     constants: tuple[str, ...]
@@ -81,6 +85,7 @@ class FunctionText(Declaration):
     rows: tuple[str, ...]
     body: tuple[str, ...]
     stores: tuple[str, ...]
+    zeros: tuple[tuple[str, int], ...]
 
 
 def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
@@ -181,6 +186,9 @@ def function_text(prefix: str, routine: Routine, layout: Layout = OF_POINTS) -> 
             _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
             for row, place in outputs
         ),
+        zeros=tuple((a.name, len(a.rows)) for a in routine.outputs)
+        if all(direct.get(row) == 0 for row in stored)
+        else (),
     )
 
 
