@@ -87,9 +87,10 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
 
 
 def _extent(readings: Readings) -> float:
-    """mm, of the travels together: no point of a machine is farther from where it is said to be."""
+    """mm, of the linear travels together: no point of a machine is farther from where it is said to be."""
     travel = readings.model.travel
-    return float(np.linalg.norm([travel[axis][1] - travel[axis][0] for axis in readings.model.axes if axis in LINEAR]))
+    spans = [travel[axis][1] - travel[axis][0] for axis in readings.model.axes if axis in LINEAR]
+    return float(np.linalg.norm(spans)) or np.inf
 
 
 def _with_free_runs(readings: Readings, signature: Signature) -> Signature:
