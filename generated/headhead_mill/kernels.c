@@ -1284,7 +1284,7 @@ void headhead_mill_workpiece_in_bed_deviation(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 3; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {
@@ -1316,7 +1316,7 @@ void headhead_mill_workpiece_in_bed_deviation_first_order(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 3; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {
@@ -1345,7 +1345,7 @@ void headhead_mill_workpiece_in_bed_sensitivity(
     (void)positions;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 132; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {
@@ -1407,7 +1407,7 @@ void headhead_mill_bed_in_workpiece_deviation(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 3; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {
@@ -1439,7 +1439,7 @@ void headhead_mill_bed_in_workpiece_deviation_first_order(
     (void)errors;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 3; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {
@@ -1468,7 +1468,7 @@ void headhead_mill_bed_in_workpiece_sensitivity(
     (void)positions;
     (void)parameters;
     (void)point;
-    /* whatever is given */
+    /* every row is zero, whatever is given */
     for (size_t row = 0; row < 132; ++row) {
         POINTS_ARE_INDEPENDENT
         for (size_t i = 0; i < n; ++i) {

@@ -90,7 +90,7 @@ def test_gcc_vectorises_the_loop_over_points_of_every_routine(folder: Path, rout
     assert {name for name, line in loops.items() if line not in vectorised} == set()
 
 
-def test_rows_that_are_always_zero_are_written_one_by_one(tmp_path: Path) -> None:
+def test_rows_that_are_always_zero_are_written_one_by_one() -> None:
     """gcc takes half a minute of a loop that writes 132 rows at once; what is written is zero, and nothing else is."""
     point = Argument(name="point", rows=("rx", "ry"), shape=(2,), per_point=True, unit="mm", description="a point")
     output = Argument(name="b", rows=("b1", "b2", "b3"), shape=(3,), per_point=True, unit="mm", description="nothing")

@@ -9,7 +9,6 @@ from trueaxis.diagnosis.audit import Audit
 from trueaxis.diagnosis.of_plan import Absence
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.signature import Readings
-from trueaxis.diagnosis.temperature import without_temperature
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Kind
 
@@ -43,9 +42,9 @@ def _columns(readings: Readings, audit: Audit) -> Iterator[Absence]:
 
 
 def _assumed(rows: Rows) -> Iterator[Absence]:
-    guessed = np.unique(rows.run[without_temperature(rows.temperature, rows.context.temperature)])
-    if guessed.size:
-        yield Absence(lack="temperature", runs=tuple(rows.runs[index].id for index in guessed))
+    runs = np.unique(rows.run[rows.assumed])
+    if runs.size:
+        yield Absence(lack="temperature", runs=tuple(rows.runs[index].id for index in runs))
 
 
 def _uses(kind: Kind, variables: Sequence[str]) -> bool:

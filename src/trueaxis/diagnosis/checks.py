@@ -110,8 +110,7 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Str
             np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
         )
     yield Structure(StructureClass.LINE_COURSE, name, _course(rows, mine))
-    read = mine & np.isfinite(rows.temperature) if rows.temperature is not None else np.zeros_like(mine)
-    if rows.temperature is not None and read.any():
+    if rows.temperature is not None and (read := mine & np.isfinite(rows.temperature)).any():
         warm = np.where(read, rows.temperature - rows.temperature[read].mean(), 0.0)
         yield Structure(
             StructureClass.LINE_TEMPERATURE,

@@ -18,7 +18,7 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Fitted, Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
-from trueaxis.diagnosis.temperature import warmer, without_temperature
+from trueaxis.diagnosis.temperature import warmer
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.placement import SINCE_REVERSAL, VARIABLES
 from trueaxis.model.context import Context
@@ -111,14 +111,14 @@ def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         other = replace(readings, context=context, memory=Memory())
         return parameter_signature(other, cause.effect, cause.values)[0] - cause.signal
 
-    guessed = without_temperature(rows.temperature, context.temperature)
+    assumed = rows.assumed
     if rows.time is not None and np.isfinite(rows.time).all():
         share, constants = LAG
         for constant in constants:
-            yield share * at(replace(context, temperature=_followed(context, ~guessed, constant)))
-    if guessed.any():
+            yield share * at(replace(context, temperature=_followed(context, ~assumed, constant)))
+    if assumed.any():
         change = at(warmer(context))
-        for index in np.unique(rows.run[guessed]):
+        for index in np.unique(rows.run[assumed]):
             yield np.where(rows.run == index, change, 0.0)
 
 

@@ -49,6 +49,13 @@ class Rows:
         """Number of readings."""
         return self.reading.size
 
+    @property
+    def assumed(self) -> BoolArray:
+        """(n,): readings whose temperature is assumed."""
+        if self.temperature is None:
+            return np.zeros(self.size, dtype=bool)
+        return np.asarray(np.isnan(self.temperature) & np.isfinite(self.context.temperature))
+
     def of_run(self, index: int) -> slice:
         """The rows of a run."""
         first, last = np.searchsorted(self.run, [index, index + 1])

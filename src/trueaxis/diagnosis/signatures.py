@@ -12,7 +12,7 @@ import numpy as np
 from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.signature import Fitted, Memory, Readings, Signature, Terms
-from trueaxis.diagnosis.temperature import warmer, without_temperature
+from trueaxis.diagnosis.temperature import warmer
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.error_name import DISPLACEMENTS
@@ -99,10 +99,12 @@ def _with_free_runs(readings: Readings, signature: Signature) -> Signature:
     So an effect that follows the temperature is told by the runs that have one.
     """
     rows, kind, support = readings.rows, signature.kind, signature.support
+    linear = all(one.role in ("linear", "grid") for one in kind.parameters)
+    if "T" not in used_variables(kind) or not linear:
+        return signature
     run = rows.run[support]
-    free = np.unique(run[without_temperature(rows.temperature, rows.context.temperature)[support]])
-    bent = any(one.role in ("phase", "root") for one in kind.parameters)
-    if "T" not in used_variables(kind) or not free.size or bent:
+    free = np.unique(run[rows.assumed[support]])
+    if not free.size:
         return signature
     changed = replace(readings, context=warmer(readings.context), memory=Memory())
     found = _of_component(changed, signature.effect, kind, signature.points)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.polynomial import Legendre
 
-from trueaxis.diagnosis.result import BoolArray, FloatArray
+from trueaxis.diagnosis.result import FloatArray
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.readings import Readings
 from trueaxis.model.context import Context
@@ -46,12 +46,6 @@ def assumed(readings: Readings) -> Readings:
         if np.isnan(temperature[mine]).all():
             filled[mine] = np.mean(known)
     return replace(readings, temperature=filled)
-
-
-def without_temperature(temperature: FloatArray | None, context: FloatArray) -> BoolArray:
-    """(n,): readings whose temperature is assumed. temperature: as it was read; context: with what is assumed."""
-    unread = np.isnan(temperature) if temperature is not None else np.zeros(context.size, dtype=bool)
-    return np.asarray(unread & np.isfinite(context))
 
 
 def warmer(context: Context) -> Context:
