@@ -57,7 +57,7 @@ def test_what_two_readings_explain_is_that_of_least_squares_with_both_free() -> 
     values[off] += 15.0 * SIGMA
     pair = np.eye(values.size)[:, off]
     signal = cause.signature.over_all()
-    taken, beside = explained_by(ground, ground.base, off, *_products(ground, cause))
+    taken, beside = explained_by(ground.whitening, ground.base, off, *_products(ground, cause))
     assert taken == pytest.approx(left(where, values) - left(where, values, pair), rel=1e-6)
     both = left(where, values, pair) - left(where, values, np.hstack([pair, signal]))
     assert beside == pytest.approx(both, rel=1e-6, abs=1e-6)

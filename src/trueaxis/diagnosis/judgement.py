@@ -11,10 +11,11 @@ from trueaxis.diagnosis.contest import contest
 from trueaxis.diagnosis.imperfection import beside_forms, imperfections
 from trueaxis.diagnosis.instruments import Off, instruments_off
 from trueaxis.diagnosis.misfit import Known, misfits
+from trueaxis.diagnosis.neighbours import spoilt_values
 from trueaxis.diagnosis.null import Null, what_is_free
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.refit import refit
-from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
+from trueaxis.diagnosis.result import AmplitudeOf, BoolArray, FloatArray
 from trueaxis.diagnosis.rivals import of_rivals, with_best_periods, with_rivals
 from trueaxis.diagnosis.search import Ground, Search, search_of, without
 from trueaxis.diagnosis.signature import Fitted
@@ -69,26 +70,33 @@ def without_names(ground: Ground, judged: Judged) -> Judged:
     return Judged(search=judged.search, causes=(), groups=(), checks=checks, stand=False, unnamed=unnamed)
 
 
-def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]) -> tuple[Judged, Changes]:
-    """Instruments that are off, and values given that are stale: or the effect that takes their place."""
+def judged_values(
+    ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]
+) -> tuple[Judged, Changes, BoolArray]:
+    """Instruments that are off, and values given that are stale: or the effect that takes their place; or (n,),
+    readings that explain as well what looks stale.
+    """
     known = (*standing, *judged.causes)
     off = instruments_off(null, np.sum([*(one.signal for one in known), np.zeros(null.rows.size)], axis=0))
     of_instruments = [one.signal for one in off]
     # a phase or a period that is a little off leaves a curve
     free = [column for one in known for column in directions_of(ground.readings, one)]
     judged = replace(judged, off=off)
-    changes = stale_values(null, [*free, *of_instruments], _besides(ground, judged, known), ground.freedom)
-    if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
-        return judged, changes
+    besides = _besides(ground, judged, known)
+    changes = stale_values(null, [*free, *of_instruments], besides, ground.freedom)
+    taken = spoilt_values(null, changes, [*free, *of_instruments], besides, ground.freedom)
+    if not changes.stale or taken.any() or judged.search.causes or any(one.fired for one in judged.checks):
+        return judged, changes, taken
     named, left = contest(ground, null, changes, [*free, *of_instruments])
     if named is None:
-        return judged, left
+        return judged, left, taken
     ground = beside_forms(ground, (*standing, named.cause))
     search = replace(search_of(ground, (named.found,), judged.search.first), threshold=judged.search.threshold)
     checks = _checks(ground, search.projection, search.residual)
     if any(one.fired for one in checks):
-        return judged, changes
-    return replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True), left
+        return judged, changes, taken
+    judged = replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True)
+    return judged, left, taken
 
 
 def judged_runs(

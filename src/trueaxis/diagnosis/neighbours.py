@@ -1,4 +1,5 @@
-"""Causes that two neighbouring readings explain as well: these were disturbed, and are no sign of anything.
+"""Causes and stale values that two neighbouring readings explain as well: these were disturbed, and are no sign of
+anything.
 
 Outliers are looked for before any cause, when nobody knows whether the noise of their run is larger than that of its
 instrument. What is named afterwards may rest on two of them still: a step of a laser where the readings before it, or
@@ -10,10 +11,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trueaxis.diagnosis.freedom import Freedom
+from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.scan import LN10
 from trueaxis.diagnosis.search import RIVAL, Found, Ground, Search, beside_causes, whitened_columns
+from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
+from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.estimation.outliers import NEIGHBOURS, ROUNDING
 from trueaxis.estimation.tails import log_chi2_tail
 
@@ -31,14 +36,42 @@ def disturbed(ground: Ground, found: Search) -> BoolArray:
     return taken
 
 
+def spoilt_values(
+    null: Null, changes: Changes, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom
+) -> BoolArray:
+    """(n,): two neighbouring readings that explain as much as all that is stale, and beside which less is. causes,
+    besides: see `free_besides`.
+
+    A base that follows any curve may follow two readings, and the search for outliers has then nothing left of them.
+    """
+    taken = np.zeros(null.rows.size, dtype=bool)
+    if not changes.stale:
+        return taken
+    base = free_besides(null, causes, besides)
+    left = base.rest(null.whitening(null.values))[:, np.newaxis]
+    back, squares = null.whitening.back(base.rest_transposed(left)), left.T @ left
+    every, best, rows = np.arange(taken.size), changes.evidence - RIVAL, list[int]()
+    for pair in _pairs(null.rows.run, null.whitening.sigma, every, back[:, 0]):
+        explained, _ = explained_by(null.whitening, base, pair, back, squares)
+        preference = _decades(explained, NEIGHBOURS, taken.size)
+        if preference >= best:
+            best, rows = preference, pair
+    if rows:
+        alone = [np.asarray(every == row, dtype=np.float64) for row in rows]
+        beside = stale_values(null, [*causes, *alone], besides, freedom)
+        stale = {one.component for one in changes.stale}
+        taken[rows] = {one.component for one in beside.stale} < stale
+    return taken
+
+
 def _two(ground: Ground, base: Projection, cause: Found) -> Sequence[int]:
     """The rows of two readings that explain as much as a cause, beside base; none where no two do."""
     both = base.rest(np.column_stack([ground.values, whitened_columns(ground, cause.signature)]))
     back, products = ground.whitening.back(base.rest_transposed(both)), both.T @ both
     best, rows = cause.scan.preference - RIVAL, list[int]()
     support = cause.signature.support
-    for pair in _pairs(ground, support, back[:, 0]):
-        explained, beside = explained_by(ground, base, pair, back, products)
+    for pair in _pairs(ground.readings.rows.run, ground.whitening.sigma, support, back[:, 0]):
+        explained, beside = explained_by(ground.whitening, base, pair, back, products)
         # as many pairs are tried as readings that the cause acts on: its own preference counts its own places
         preference = _decades(explained, NEIGHBOURS, support.size)
         if preference >= best and _decades(beside, cause.scan.freedom, cause.scan.tries) < ground.threshold:
@@ -53,25 +86,25 @@ def _decades(square: float, freedom: int, tries: float) -> float:
     return -log_chi2_tail(square, freedom) / LN10 - float(np.log10(tries))
 
 
-def _pairs(ground: Ground, support: IntArray, back: FloatArray) -> list[list[int]]:
+def _pairs(run: IntArray, sigma: FloatArray, support: IntArray, back: FloatArray) -> list[list[int]]:
     """Rows of neighbours of a run, of which one is among those of the support that deviate most."""
-    run, weighed = ground.readings.rows.run, np.abs(back) * ground.whitening.sigma
+    weighed = np.abs(back) * sigma
     far = support[np.argsort(-weighed[support], kind="stable")[:LOOKED_AT]].tolist()
     firsts = sorted({one - before for one in far for before in range(NEIGHBOURS)})
     return [[one, one + 1] for one in firsts if 0 <= one < run.size - 1 and run[one] == run[one + 1]]
 
 
 def explained_by(
-    ground: Ground, base: Projection, pair: list[int], back: FloatArray, products: FloatArray
+    whitening: Whitening, base: Projection, pair: list[int], back: FloatArray, products: FloatArray
 ) -> tuple[float, float]:
     """Chi squares: what two readings explain of what is left, and what the cause does beside them.
 
     pair: their rows; back: (n, 1 + k), 1/mm, products of what is left and of the cause with single readings; products:
-    (1 + k, 1 + k), of what is left and the cause, whitened.
+    (1 + k, 1 + k), of what is left and the cause, whitened; k may be 0.
     """
     alone = np.zeros((back.shape[0], len(pair)))
     alone[pair, range(len(pair))] = 1.0
-    white = ground.whitening(alone)
+    white = whitening(alone)
     single = base.rest(white)
     gram = single.T @ single
     if (np.diag(gram) <= ROUNDING * np.sum(white**2, axis=0)).any():  # nothing is left of a reading

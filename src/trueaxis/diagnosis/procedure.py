@@ -66,14 +66,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
     null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
-    null, ground, found, causes, standing = _undisturbed(model, null, options)
-    ground, found, causes = with_best_periods(ground, found, causes, standing)
+    null, ground, judged, changes, standing = _judged(model, null, options)
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
-    options.progress("checks")
-    judged = judged_causes(ground, null, found, causes, standing)
-    options.progress("values given")
-    judged, changes = judged_values(ground, null, judged, standing)
     options.progress("runs")
     judged, changes = judged_runs(ground, null, judged, changes, standing)
     options.progress("gain")
@@ -116,6 +111,22 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
     return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
+
+
+def _judged(
+    model: MachineModel, null: Null, options: DiagnoseOptions
+) -> tuple[Null, Ground, Judged, Changes, Sequence[Fitted]]:
+    """What may be named and what is stale, without readings whose disturbance would be taken for stale values."""
+    while True:
+        null, ground, found, causes, standing = _undisturbed(model, null, options)
+        ground, found, causes = with_best_periods(ground, found, causes, standing)
+        options.progress("checks")
+        judged = judged_causes(ground, null, found, causes, standing)
+        options.progress("values given")
+        judged, changes, taken = judged_values(ground, null, judged, standing)
+        if not taken.any():
+            return null, ground, judged, changes, standing
+        null = _given(left_out(null, taken, options.noise_um), model, options)
 
 
 def _undisturbed(
