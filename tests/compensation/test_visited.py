@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
-from trueaxis.compensation.reliance import MOST_CELLS, Visited
+from trueaxis.compensation.reliance import FINEST, MOST_CELLS, Visited
 from trueaxis.model.model import MachineModel, load_model
 
 
@@ -50,8 +50,9 @@ def test_a_long_motion_passes_through_every_cell_of_its_way(model: MachineModel)
     samples = visited.samples([[250.0], [], []])
     along = np.round(np.unique(samples[0]), 6)
     assert {250.0, 540.0} <= set(along)
-    assert along[0] < 1.0
-    assert np.diff(along).max() < 1.0  # nothing of the way is between the samples
+    cell = 540.0 / FINEST
+    assert along[0] <= cell
+    assert set(np.floor(along / cell - 1e-9).clip(0)) == set(range(FINEST))  # nothing of the way is passed over
     assert not samples[1:].any()
 
 

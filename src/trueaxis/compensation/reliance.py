@@ -122,9 +122,10 @@ class Visited:
             self._halve()
 
     def _parts(self, way: FloatArray) -> npt.NDArray[np.int64]:
-        """(n,): into how many motions are divided: two to a cell's width, none is passed through unseen."""
-        cells = np.abs(way / self._travel).max(axis=0) * self._each
-        return np.asarray(np.maximum(np.ceil(2.0 * cells), 1.0), dtype=np.int64)
+        """(n,): into how many motions are divided: each shorter than a cell, so that none is passed over along the axis
+        that passes most of them.
+        """
+        return np.asarray(np.abs(way / self._travel).max(axis=0) * self._each, dtype=np.int64) + 1
 
     def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
         """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
