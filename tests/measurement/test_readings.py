@@ -144,6 +144,14 @@ def test_faults_of_all_columns_come_at_once(tmp_path: Path) -> None:
     ]
 
 
+def test_positions_of_another_machine_are_one_fault_of_each_axis(tmp_path: Path) -> None:
+    rows = "\n".join(f"X1,{n},{600 + n},{-n},0,0" for n in range(100))
+    assert [one for one in faults_of(tmp_path, f"run,seq,X,Y,Z,reading\n{rows}\n") if "travel" in one] == [
+        'line 2, column X: "600" is outside the travel, and so in 99 more, from 600 to 699; from 0.0 to 540.0',
+        'line 3, column Y: "-1" is outside the travel, and so in 98 more, from -99 to -1; from 0.0 to 700.0',
+    ]
+
+
 def test_a_wrong_column_does_not_fill_the_screen(tmp_path: Path) -> None:
     rows = "\n".join(f"X1,{n},0,0,0,oops{n}" for n in range(1000))
     found = faults_of(tmp_path, f"run,seq,X,Y,Z,reading\n{rows}\n")

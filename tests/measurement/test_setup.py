@@ -124,6 +124,13 @@ def test_a_run_that_senses_nothing_is_a_fault(tmp_path: Path) -> None:
     assert "nothing is sensed" in faults_of(tmp_path, resting)[0]
 
 
+def test_homes_of_another_machine_are_one_fault_of_each_axis(tmp_path: Path) -> None:
+    run = CONTRACT[CONTRACT.index("[[run]]") :].split("[[run]]")[1].replace("X = 0.0", "X = -1.0")
+    text = 'schema = 1\nmachine = "dmu60p"\n' + "".join("[[run]]" + run.replace('"X1"', f'"X{k}"') for k in range(9))
+    (fault,) = faults_of(tmp_path, text)
+    assert "run[0].home.X: -1.0 is outside the travel, and so in 8 more runs; from 0.0 to 540.0" in fault
+
+
 def test_without_runs_there_is_nothing_to_read(tmp_path: Path) -> None:
     assert "key run: is missing" in faults_of(tmp_path, 'schema = 1\nmachine = "dmu60p"\n')[0]
 

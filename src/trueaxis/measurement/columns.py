@@ -118,14 +118,20 @@ def approaches(table: Table, name: str, faults: Faults) -> FloatArray:
 
 
 def positions(table: Table, machine: MachineAxes, faults: Faults) -> FloatArray:
-    """Commanded axis positions, (n_axes, n), mm or deg; those outside the travel are noted."""
+    """Commanded axis positions, (n_axes, n), mm or deg; of those outside the travel the first is noted, and how many
+    more: data of another machine have little else.
+    """
     found = np.zeros((len(machine.axes), table.frame.height))
     for row, axis in enumerate(machine.axes):
         if axis in table.frame.columns:  # else noted already
             found[row] = values = numbers(table, axis, faults)
             low, high = machine.travel[axis]
-            outside = (values < low) | (values > high)
-            note(table, axis, outside, faults, "is outside the travel", remedy=f"from {low!r} to {high!r}")
+            outside = np.flatnonzero((values < low) | (values > high))
+            for first in outside[:1].tolist():
+                least, most = values[outside].min(), values[outside].max()
+                also = f", and so in {outside.size - 1} more, from {least:g} to {most:g}" if outside.size > 1 else ""
+                problem = f"{_quoted(table.frame[axis][first])}is outside the travel{also}"
+                faults.add(table.place(first, axis), problem, f"from {low!r} to {high!r}")
     return found
 
 

@@ -1,7 +1,7 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -49,12 +49,14 @@ def _setup(top: Fields, machine: MachineAxes) -> Setup:
     runs: list[Run] = []
     ids: set[str] = set()
     devices = read_devices(top)
-    for fields in top.tables("run", required=True):
+    tables = tuple(top.tables("run", required=True))
+    for fields in tables:
         run = _run(fields, machine, devices)
         if run.id in ids:
             fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
         ids |= {run.id} - {""}
         runs.append(run)
+    _check_homes(tables, runs, machine)
     check_devices(top, devices, runs)
     return Setup(machine.name, tuple(runs), report=_report(top))
 
@@ -197,14 +199,21 @@ def _home(fields: Fields, machine: MachineAxes) -> dict[str, float]:
             table.fault(axis, f"machine {machine.name} has no axis {axis}", f"axes {' '.join(machine.axes)}")
             continue
         position = table.finite(given)
-        low, high = machine.travel[axis]
         if position is None:
             table.fault(axis, f"is {shown(given)}", "a finite number")
-        elif not low <= position <= high:
-            table.fault(axis, f"{position!r} is outside the travel", f"from {low!r} to {high!r}")
         else:
             home[axis] = position
     return home
+
+
+def _check_homes(tables: Sequence[Fields], runs: Sequence[Run], machine: MachineAxes) -> None:
+    """Note homes outside the travel: of each axis the first, and how many more."""
+    for axis, (low, high) in machine.travel.items():
+        given = [(fields.table("home"), run.home[axis]) for fields, run in zip(tables, runs, strict=True)]
+        outside = [(table, at) for table, at in given if axis in table.raw and not low <= at <= high]
+        for table, at in outside[:1]:
+            also = f", and so in {len(outside) - 1} more runs" if len(outside) > 1 else ""
+            table.fault(axis, f"{at!r} is outside the travel{also}", f"from {low!r} to {high!r}")
 
 
 def _point_on(fields: Fields, key: str, carriers: tuple[str, ...], *, placed: bool = True) -> PointOn | None:
