@@ -64,6 +64,31 @@ def test_the_level_of_a_tapping_cycle_is_that_of_the_control(bench: Bench) -> No
     assert bench.run(source.replace("G98 X9.", "X9."), offsets=G54, dialect="fanuc")
 
 
+def levels(text: str) -> list[str]:
+    """Of G98 and G99 the one that is in force at each hole of G84: neither G80 nor another cycle changes it."""
+    found, level, tapping = [], "G98", False
+    for line in text.splitlines():
+        codes = re.findall(r"G\d+", line)
+        level = next((code for code in codes if code in ("G98", "G99")), level)
+        tapping = "G84" in codes or (tapping and not {"G80", "G0", "G1", "G81", "G83"} & set(codes))
+        if tapping and re.search("[XY]", line):
+            found.append(level)
+    return found
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_control_is_left_with_the_level_that_the_program_has(bench: Bench, seed: int) -> None:
+    """G98 and G99 of cycles that are written out hold for those that stay: the tool would be elsewhere after them."""
+    draw = np.random.default_rng(seed)
+    source = HEAD + str(draw.choice(["", "G99\n", "G98\n"]))
+    for x in range(0, 120, 10):
+        level, code = draw.choice(["", "G98 ", "G99 "]), draw.choice(["G81", "G83", "G84"])
+        source += f"{level}{code} X{x}. Y9. Z-8. R5. {'Q3. ' * (code == 'G83')}F300.\nX{x + 4}.\nG80\nG0 Z50.\n"
+    written = bench.run(source, offsets=G54, dialect="fanuc").decode()
+    assert levels(source)
+    assert levels(written) == levels(source)
+
+
 @pytest.mark.parametrize(
     ("blocks", "problem"),
     [

@@ -24,7 +24,7 @@ MOST_PECKS = 10_000
 RAPID, FEED, DWELL, SPINDLE_STOP, SPINDLE_START = range(5)
 Step = tuple[int, float]  # what is done, and to which position of the axis that drills (machine, mm)
 _OF_CYCLE = frozenset("XYZRQPLK")
-_OUT = frozenset({*codes.CYCLES, 980, 990})  # codes that are not written with the motions
+_RETURN = frozenset({980, 990})  # codes that say where the control's own cycles end
 MOST_MOTIONS = 16384  # of a run: a batch
 _BLANK = np.isin(np.arange(256), [ord(" "), ord("\t")])
 
@@ -68,7 +68,9 @@ class Hole(NamedTuple):
 
 
 class CycleWriter:
-    """Makes the blocks of one block of a cycle."""
+    """Makes the blocks of one block of a cycle. with_return: whether G98 and G99 are written with the motions, for
+    cycles that the control is left with.
+    """
 
     def __init__(
         self,
@@ -80,6 +82,8 @@ class CycleWriter:
         again: str,
         assumed: list[float],
         faults: FaultLog,
+        *,
+        with_return: bool,
     ) -> None:
         self._state, self._number, self._assumed, self._faults = state, number, assumed, faults
         self._eol, self._again = eol or "\n", again
@@ -87,7 +91,7 @@ class CycleWriter:
             state.gap = " "
         elif len(block.words) > 1:
             state.gap = ""
-        self._lead, self._comment, self._last = _kept(body, block, state.gap, again)
+        self._lead, self._comment, self._last = _kept(body, block, state.gap, again, with_return)
         self._items: list[Item] = []
         self._wrong = False
 
@@ -167,15 +171,16 @@ class CycleWriter:
         return self._faults.count == before
 
 
-def _kept(body: str, block: Block, gap: str, again: str) -> tuple[str, str, str]:
+def _kept(body: str, block: Block, gap: str, again: str, with_return: bool) -> tuple[str, str, str]:
     """What stays of a block of a cycle: text before its first motion, comments behind it, words due at the end."""
     lead: list[str] = []
     last: list[str] = []
     comment, place = "", 0
+    out = codes.CYCLES if with_return else codes.CYCLES | _RETURN
     for word in block.words:
         between, place = body[place : word.start].strip(" \t").removeprefix(again), word.end
         comment += f" {between.strip()}" if between.strip() else ""
-        if word.letter in _OF_CYCLE or (word.letter == "G" and round(word.value * 10) in _OUT):
+        if word.letter in _OF_CYCLE or (word.letter == "G" and round(word.value * 10) in out):
             continue
         (last if due_at_end(word) else lead).append(body[word.start : word.end])
     comment += f" {body[place:].strip()}" if body[place:].strip() else ""

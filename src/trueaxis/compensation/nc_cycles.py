@@ -61,9 +61,8 @@ class CycleReader:
         self._state.cycle, self._state.motion = cycle, None
         named = set(meaning.axes)
         meaning.axes.pop(self._depth, None)
-        if not named and meaning.cycle is None and not (meaning.data or meaning.parameters or meaning.positions):
-            return [line]
-        if meaning.complaints:
+        nothing = not named and meaning.cycle is None and not (meaning.data or meaning.parameters or meaning.positions)
+        if nothing or meaning.complaints:
             return [line]
         if problem := self._problem(cycle, named, meaning):
             self._faults.add(number, *problem)
@@ -75,11 +74,15 @@ class CycleReader:
         if cycle.code in self._kept:
             return self._kept_hole(number, line, body, block, meaning, cycle)
         self._note(number, cycle)
-        writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
+        writer = self._writer(number, line, body, block, again)
         if exact := self._modes.drill_exactly(number):
             writer.say(exact)
         self._holes(cycle, meaning, writer)
         return writer.finished()
+
+    def _writer(self, number: int, line: str, body: str, block: Block, again: str) -> CycleWriter:
+        text = (number, body, block, line[len(body) :], again)
+        return CycleWriter(self._state, *text, self._assumed, self._faults, with_return=bool(self._kept))
 
     @property
     def _depth(self) -> str:
@@ -209,7 +212,7 @@ class CycleReader:
         """A block with K0 or L0: its words are stored, and nothing is drilled."""
         self._notes.add(number, STORED)
         rows = [self._state.row[axis] for axis in meaning.axes]
-        writer = CycleWriter(self._state, number, body, block, line[len(body) :], again, self._assumed, self._faults)
+        writer = self._writer(number, line, body, block, again)
         items: list[Item] = [line] if self._state.cycle and self._state.cycle.code in self._kept else writer.alone()
         if not rows:
             return items
