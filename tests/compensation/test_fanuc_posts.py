@@ -64,6 +64,41 @@ def test_the_level_of_a_tapping_cycle_is_that_of_the_control(bench: Bench) -> No
     assert bench.run(source.replace("G98 X9.", "X9."), offsets=G54, dialect="fanuc")
 
 
+def places(text: str) -> list[dict[str, float]]:
+    """Where the axes are after each block, in the words' own frame; G28 and cycles are not followed."""
+    at, found, absolute = dict.fromkeys("XYZ", 0.0), [], True
+    for line in text.splitlines():
+        absolute = {"G90": True, "G91": False}.get((re.findall("G9[01](?![0-9.])", line) or [""])[-1], absolute)
+        for axis, value in re.findall(r"([XYZ])([-+]?[\d.]+)", line):
+            at[axis] = float(value) + (0.0 if absolute else at[axis])
+        found.append({axis: round(value, 6) for axis, value in at.items()})
+    return [one for one, before in zip(found[1:], found, strict=False) if one != before]
+
+
+@pytest.mark.parametrize("level", ["G98", "G99"])
+@pytest.mark.parametrize("code", ["G81", "G83 Q3."])
+def test_a_row_of_holes_by_increments_keeps_its_depth(bench: Bench, level: str, code: str) -> None:
+    """Z and R of before G91 are the places that they were: the row of holes of Fanuc's and Haas's manuals."""
+    head, tail = f"{HEAD}{level} {code} X10. Y10. Z-8. R2. F150\n", "G80\nG90 G0 Z50.\n"
+    row = bench.run(f"{head}G91 X20. K3\nY5.\n{tail}", XyzMachine(), offsets=G54, dialect="fanuc").decode()
+    each = bench.run(f"{head}X30.\nX50.\nX70.\nX70. Y15.\n{tail}", XyzMachine(), offsets=G54, dialect="fanuc").decode()
+    assert places(row) == places(each)
+    assert min(one["Z"] for one in places(row)) == -8.0
+    for wrong in ("G91 X20. Z-9. K3", "G20 X1."):
+        with pytest.raises(InputError, match="without Z and R"):
+            bench.run(f"{head}{wrong}\n{tail}", offsets=G54, dialect="fanuc")
+    with pytest.raises(InputError, match="without Z and R"):
+        bench.run(f"{head}G91 X20. K3\n{tail}", offsets=G54, dialect=None)
+
+
+def test_the_largest_speed_of_the_spindle_is_no_work_offset(bench: Bench) -> None:
+    lines = bench.run(f"{HEAD}G92 S3000\nG92S250\nX5.\n", offsets=G54, dialect="fanuc").decode().splitlines()
+    assert lines[2:4] == ["G92 S3000", "G92S250"]
+    for block, dialect in (("G92 S3000", None), ("G92", "fanuc"), ("G92 S3000 F5.", "fanuc")):
+        with pytest.raises(InputError, match="G92 without axis words"):
+            bench.run(f"{HEAD}{block}\nX5.\n", offsets=G54, dialect=dialect)
+
+
 def levels(text: str) -> list[str]:
     """Of G98 and G99 the one that is in force at each hole of G84: neither G80 nor another cycle changes it."""
     found, level, tapping = [], "G98", False

@@ -29,6 +29,10 @@ MOST_MOTIONS = 16384  # of a run: a batch
 _BLANK = np.isin(np.arange(256), [ord(" "), ord("\t")])
 
 
+class CycleError(Exception):
+    """What is wrong with a block of a cycle, and the remedy."""
+
+
 def steps(
     code: int, r: float, bottom: float, clear: float, peck: tuple[float, float], dwells: bool
 ) -> Iterator[Step]:  # fmt: skip

@@ -20,6 +20,8 @@ TURNS_ALONE = (
     "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
+KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
+STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 ONE_PECK = "Q is no less than the way from R to Z: each hole is drilled in one peck"
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 

@@ -12,12 +12,13 @@ from trueaxis.compensation.cycle_blocks import (
     RAPID,
     SPINDLE_START,
     SPINDLE_STOP,
+    CycleError,
     CycleWriter,
     Hole,
     steps,
 )
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.move_notes import notes_of_cycle
+from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
 from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes, Start
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
@@ -26,14 +27,6 @@ from trueaxis.compensation.nc_state import Commanded, Cycle, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
-KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
-STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
-
-
-class CycleError(Exception):
-    """What is wrong with a block of a cycle, and the remedy."""
-
-
 Z_AND_R = "both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
 
 
@@ -96,7 +89,7 @@ class CycleReader:
         cycle = before
         if meaning.cycle is not None and meaning.cycle != before.code:
             cycle = Cycle(code=meaning.cycle, z=before.z, r=before.r, initial=before.initial, frame=before.frame)
-        if (cycle.absolute, cycle.inch) != (state.absolute, state.inch):  # what the words of before mean now differs
+        if (cycle.absolute, cycle.inch) != (state.absolute, state.inch) and not self._stay(cycle, meaning):
             cycle = replace(cycle, z=None, r=None, peck=0.0, absolute=state.absolute, inch=state.inch)
         texts = {word.letter: body[word.start + 1 : word.end].strip() for word in block.words}
         return replace(
@@ -106,6 +99,13 @@ class CycleReader:
             peck=meaning.parameters.get("Q", cycle.peck),
             dwell=texts.get("P", cycle.dwell),
         )
+
+    def _stay(self, cycle: Cycle, meaning: Meaning) -> bool:
+        """Whether Z and R of before G91 stay the places that they are, as Fanuc has them: G91 X20. K3 for a row of
+        holes. Elsewhere what they mean then differs by control.
+        """
+        given = self._depth in meaning.axes or "R" in meaning.data or "Q" in meaning.parameters
+        return self._settings.dialect == "fanuc" and cycle.absolute and cycle.inch == self._state.inch and not given
 
     def _level(self) -> float | None:
         """Where the drilling axis stands, mm, machine coordinates; None where no word could name that for certain."""
@@ -162,7 +162,7 @@ class CycleReader:
         state, row = self._state, self._state.row[self._depth]
         scale = state.scale(self._depth)
         initial = cycle.initial if cycle.frame == self._frame() else None
-        if state.absolute:
+        if cycle.absolute:
             shift = state.shift[row] if state.shift else 0.0
             r, bottom = (cycle.r or 0.0) * scale + shift, (cycle.z or 0.0) * scale + shift
         else:

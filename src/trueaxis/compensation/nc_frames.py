@@ -147,6 +147,8 @@ class FrameReader:
     def _put(self, number: int, line: str, body: str, block: Block, meaning: Meaning) -> Item | None:
         """G92: the axes have these values where they stand."""
         values = self._values(meaning)
+        if not values and self._on_fanuc and {word.letter for word in block.words} - {"N"} == {"G", "S"}:
+            return None  # the largest speed of the spindle
         if not values:
             self._faults.add(number, "G92 without axis words", "G92 X0 Y0 Z0, or G92.1")
         if not values or not self._known(number, "G92", values):
