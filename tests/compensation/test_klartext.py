@@ -127,7 +127,7 @@ HEAD = "BEGIN PGM T MM\nTOOL CALL 5 Z S100\nL X+0 Y+0 Z+10 R0 FMAX\n"
         ("CALL LBL 1 REP 3", "calls a part of the program"),
         ("CALL PGM 12", "calls a program"),
         ("CYCL CALL M3", "calls a cycle"),
-        ("L X+5 FMAX M99", "M99"),
+        ("L X+5 FMAX M99", "M99 calls the cycle that is defined before"),
         ("RND R2", "rounds a corner"),
         ("CHF 2", "bevels a corner"),
         ("CT X+10 Y+10", "is a path that is not followed"),

@@ -257,6 +257,7 @@ HARMFUL_ON: dict[str, dict[int, str]] = {
     "heidenhain": {
         89: "calls a cycle at every position",
         94: "changes what positions of rotary axes mean",
+        99: "calls the cycle that is defined before",
         118: "lets the handwheel shift positions",
         136: "makes F count by turns of the spindle",
         140: "retracts along the tool axis; where it stops is not in the program",
@@ -286,7 +287,7 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
     """What is wrong with a code, and what would be right; None if it is known or `passed` names it."""
     if code in KNOWN or code in KNOWN_ON.get(dialect or "", {}):
         return None
-    harm = HARMFUL.get(code) or HARMFUL_ON.get(dialect or "", {}).get(code)
+    harm = HARMFUL_ON.get(dialect or "", {}).get(code) or HARMFUL.get(code)
     if harm:
         remedy = _UNROLLED if dialect in (None, "linuxcnc") else _IN_PLACE
         return f"M{code} {harm}", f"--pass-m does not pass it; {remedy}" if harm is _SUBPROGRAM else NOT_PASSED

@@ -22,6 +22,7 @@ TIP = "--tool-point is taken to hold after M6 too, whatever the tool"
 M6_MOVES = "M6 may have moved any axis, so each gets words again only once the program has commanded it"
 T_SELECTS = "T is taken to select a tool only: M6 changes it"
 SELECTS_REMEDY = "or say --dialect fanuc or linuxcnc if M6 alone changes the tool"
+SIEMENS_REMEDY = "M6 behind T, if M6 changes the tool (MD22550 = 1); a tool that T changes by itself is not followed"
 _SELECTING = frozenset({"fanuc", "linuxcnc"})
 _CALLING = "heidenhain"
 TOOLS_REMEDY = "say --tools FILE (LinuxCNC's tool.tbl, or TOML with [tool.1] and its length)"
@@ -71,10 +72,12 @@ class ToolChanges:
             line, text = self._waiting
             self._notes.add(line, text)
             if self._faults is not None and text == T_CHANGES and self._dialect != _CALLING:
-                self._faults.add(line, T_UNCERTAIN, SELECTS_REMEDY.removeprefix("or "))
+                remedy = SIEMENS_REMEDY if self._dialect == "siemens" else SELECTS_REMEDY.removeprefix("or ")
+                self._faults.add(line, T_UNCERTAIN, remedy)
             self._waiting = None
         if by_m6 or by_tool_word:
-            self.remedy = SELECTS_REMEDY if by_tool_word else ""
+            by_word = "or M6 behind T, if M6 changes the tool" if self._dialect == "siemens" else SELECTS_REMEDY
+            self.remedy = by_word if by_tool_word else ""
         return by_m6 or by_tool_word
 
     @property
