@@ -30,6 +30,13 @@ def test_another_control_is_said_first(bench: Bench) -> None:
     assert "looks like" not in str(faults_of(bench, program.replace("TRANS", "ROT"), dialect="siemens")[0])
 
 
+@pytest.mark.parametrize("dialect", ["siemens", "heidenhain"])
+def test_a_number_behind_a_percent_sign_is_no_program_of_these(bench: Bench, dialect: str) -> None:
+    program = "%\nO1001 (PLATE)\nG21 G90\nG43 H1 Z5.\nM30\n%\n"
+    assert str(faults_of(bench, program, dialect=dialect)[0]).endswith("Fanuc or the like; --dialect fanuc")
+    assert "looks like" not in str(faults_of(bench, program[program.index("(") :], dialect=dialect)[0])
+
+
 def test_macros_name_the_way_to_unroll_them(bench: Bench) -> None:
     program = "G21 G90\nG0 X0. Y0. Z0.\n" + "#1=5\nG1 X#1 F9\n" * 4
     for dialect in (None, "linuxcnc"):
