@@ -1,4 +1,4 @@
-"""Two readings that were disturbed are nothing stale, though nothing was read twice; a worn spot of three is."""
+"""Two readings that were disturbed are nothing stale, though nothing was read twice; four are told."""
 
 from dataclasses import replace
 from pathlib import Path

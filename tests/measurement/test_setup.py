@@ -131,6 +131,11 @@ def test_homes_of_another_machine_are_one_fault_of_each_axis(tmp_path: Path) -> 
     assert "run[0].home.X: -1.0 is outside the travel, and so in 8 more runs; from 0.0 to 540.0" in fault
 
 
+def test_a_home_that_is_no_table_is_one_fault(tmp_path: Path) -> None:
+    found = faults_of(tmp_path, CONTRACT.replace("home = { X = 0.0,", "home = 5 #"))
+    assert [one for one in found if "home" in one] == ["line 10, key run[0].home: is 5; a table [home]"]
+
+
 def test_without_runs_there_is_nothing_to_read(tmp_path: Path) -> None:
     assert "key run: is missing" in faults_of(tmp_path, 'schema = 1\nmachine = "dmu60p"\n')[0]
 

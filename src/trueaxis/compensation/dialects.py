@@ -21,9 +21,8 @@ _FANUC = re.compile(
     r"(?im)^[^;(\n]*(?<![A-Z#\[])(?:G43\.[45]|G68\.2|G54\.1[ \t]*P\d|G0?5\.1[ \t]*Q[01]|G0?5[ \t]*P10000|"
     r"G0?8[ \t]*P[01]|G6[56][ \t]*P\d|IF[ \t]*\[[^\n]*\][ \t]*(?:GOTO|THEN)|WHILE[ \t]*\[[^\n]*\][ \t]*DO)"
 )
-_NUMBERED = re.compile(
-    r"(?i)(?:\xef\xbb\xbf)?\s*%[^\S\n]*\n\s*[O:]\d"
-)  # of programs of Fanuc and the like, and its number
+# how programs of Fanuc and the like begin: % and their number
+_NUMBERED = re.compile(r"(?i)(?:\xef\xbb\xbf)?\s*%[^\S\n]*\n\s*[O:]\d")
 _TURRET = re.compile(r"(?i)T\d{4}")  # of a lathe, on which T alone changes the tool
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 _BYTES = 65536
@@ -47,20 +46,16 @@ def head_of(program: Path) -> str:
         return file.read(_BYTES).decode("latin-1")
 
 
-def dialect_of(text: str) -> Dialect | None:
-    """The control, by the first lines of a program; None where several may read it."""
+def dialect_of(text: str, said: Dialect | None = None) -> Dialect | None:
+    """The control, by the first lines of a program; None where several may read it, also the one that the user says."""
     if is_klartext(text):
         return "heidenhain"
     words = re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text)
     if _SIEMENS.search(words):
         return "siemens"
+    if said in {"siemens", "heidenhain"} and _NUMBERED.match(text):
+        return "fanuc"
     return "fanuc" if _FANUC.search(words) and not _TURRET.search(words) else None
-
-
-def of_another(text: str, said: Dialect | None) -> Dialect | None:
-    """The control, by the first lines of a program that is not for the one that the user names."""
-    numbered = said in {"siemens", "heidenhain"} and _NUMBERED.match(text)
-    return dialect_of(text) or ("fanuc" if numbered else None)
 
 
 # capitals and no sign but a blank: older controls take no other in a comment

@@ -17,11 +17,11 @@ from trueaxis.compensation.dialects import (
     NAMES,
     RECOGNISED,
     comment_of,
+    dialect_of,
     head_of,
     is_klartext,
     marked,
     numbered,
-    of_another,
 )
 from trueaxis.compensation.klartext_reader import KlartextReader
 from trueaxis.compensation.linuxcnc_blocks import Unrolled
@@ -189,7 +189,7 @@ def compensated(
     if via_linuxcnc is not None:
         check_unrolled(settings, language, model)
         made, settings = unrolled_first(program, model, settings, via_linuxcnc, name, notes)
-    said, seen = settings.dialect, of_another(head_of(program), settings.dialect) if language == "nc" else None
+    said, seen = settings.dialect, dialect_of(head_of(program), settings.dialect) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))
         settings = replace(settings, dialect=seen)

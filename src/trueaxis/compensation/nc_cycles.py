@@ -101,8 +101,8 @@ class CycleReader:
         )
 
     def _stay(self, cycle: Cycle, meaning: Meaning) -> bool:
-        """Whether Z and R of before G91 stay the places that they are, as Fanuc has them: G91 X20. K3 for a row of
-        holes. Elsewhere what they mean then differs by control.
+        """Whether Z and R that were given under G90 keep their meaning under G91, as on Fanuc: G91 X20. K3 makes a row
+        of holes. Elsewhere what they mean then differs by control.
         """
         given = self._depth in meaning.axes or "R" in meaning.data or "Q" in meaning.parameters
         return self._settings.dialect == "fanuc" and cycle.absolute and cycle.inch == self._state.inch and not given

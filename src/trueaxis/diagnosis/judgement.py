@@ -82,12 +82,12 @@ def judged_values(
     # a phase or a period that is a little off leaves a curve
     free = [column for one in known for column in directions_of(ground.readings, one)]
     judged = replace(judged, off=off)
-    besides = _besides(ground, judged, known)
-    changes = stale_values(null, [*free, *of_instruments], besides, ground.freedom)
-    taken = spoilt_values(null, changes, [*free, *of_instruments], besides, ground.freedom)
+    besides, causes = _besides(ground, judged, known), [*free, *of_instruments]
+    changes = stale_values(null, causes, besides, ground.freedom)
+    taken = spoilt_values(null, changes, causes, besides, ground.freedom)
     if not changes.stale or taken.any() or judged.search.causes or any(one.fired for one in judged.checks):
         return judged, changes, taken
-    named, left = contest(ground, null, changes, [*free, *of_instruments])
+    named, left = contest(ground, null, changes, causes)
     if named is None:
         return judged, left, taken
     ground = beside_forms(ground, (*standing, named.cause))

@@ -39,8 +39,8 @@ def disturbed(ground: Ground, found: Search) -> BoolArray:
 def spoilt_values(
     null: Null, changes: Changes, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom
 ) -> BoolArray:
-    """(n,): two neighbouring readings that explain as much as all that is stale, and beside which less is. causes,
-    besides: see `free_besides`.
+    """(n,): two neighbouring readings that explain about as much as all that is stale, and beside which fewer
+    components are. causes, besides: see `free_besides`.
 
     A base that follows any curve may follow two readings, and the search for outliers has then nothing left of them.
     """

@@ -127,8 +127,8 @@ def positions(table: Table, machine: MachineAxes, faults: Faults) -> FloatArray:
             found[row] = values = numbers(table, axis, faults)
             low, high = machine.travel[axis]
             outside = np.flatnonzero((values < low) | (values > high))
-            for first in outside[:1].tolist():
-                least, most = values[outside].min(), values[outside].max()
+            if outside.size:
+                first, least, most = int(outside[0]), values[outside].min(), values[outside].max()
                 also = f", and so in {outside.size - 1} more, from {least:g} to {most:g}" if outside.size > 1 else ""
                 problem = f"{_quoted(table.frame[axis][first])}is outside the travel{also}"
                 faults.add(table.place(first, axis), problem, f"from {low!r} to {high!r}")

@@ -209,11 +209,18 @@ def _home(fields: Fields, machine: MachineAxes) -> dict[str, float]:
 def _check_homes(tables: Sequence[Fields], runs: Sequence[Run], machine: MachineAxes) -> None:
     """Note homes outside the travel: of each axis the first, and how many more."""
     for axis, (low, high) in machine.travel.items():
-        given = [(fields.table("home"), run.home[axis]) for fields, run in zip(tables, runs, strict=True)]
-        outside = [(table, at) for table, at in given if axis in table.raw and not low <= at <= high]
-        for table, at in outside[:1]:
+        given = [(fields, run.home[axis]) for fields, run in zip(tables, runs, strict=True) if _says(fields, axis)]
+        outside = [(fields, at) for fields, at in given if not low <= at <= high]
+        if outside:
+            fields, at = outside[0]
             also = f", and so in {len(outside) - 1} more runs" if len(outside) > 1 else ""
-            table.fault(axis, f"{at!r} is outside the travel{also}", f"from {low!r} to {high!r}")
+            fields.table("home").fault(axis, f"{at!r} is outside the travel{also}", f"from {low!r} to {high!r}")
+
+
+def _says(fields: Fields, axis: str) -> bool:
+    """Whether a run says where an axis is at home: zero, where it does not, may be outside the travel."""
+    home = fields.raw.get("home")
+    return isinstance(home, dict) and axis in home
 
 
 def _point_on(fields: Fields, key: str, carriers: tuple[str, ...], *, placed: bool = True) -> PointOn | None:

@@ -125,10 +125,10 @@ def _coarse_words(report: CompensationReport) -> list[str]:
         step, unit = (settings.inch_step, "inch") if inch else (settings.resolution, "mm")
         off = 0.5 * math.sqrt(3.0) * step * (MM_PER_INCH if inch else 1.0)
         if off > settings.tolerance and unit in report.units:
-            finer = "--inch-resolution 0.00001" if inch else "--resolution"
+            finer = "--inch-resolution" if inch else "--resolution"
             found.append(
                 f"words of {step:g} {unit} are up to {1e3 * off:.1f} um off, more than the tolerance: it cannot be "
-                f"reached everywhere with these words; {finer} where the control reads finer ones, or --tolerance "
+                f"reached everywhere with these words; a finer {finer} where the control reads it, or --tolerance "
                 f"{math.ceil(1e4 * off) / 1e4:g}"
             )
     return found
