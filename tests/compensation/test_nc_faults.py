@@ -51,6 +51,23 @@ def test_the_harmless_comes_back(bench: Bench, block: str) -> None:
     assert bench.run(program) == program
 
 
+@pytest.mark.parametrize(
+    ("block", "words"),
+    [
+        ("G65 P9810 X10. Y10. F1000", "calls a macro"),
+        ("G66 P8000 L2", "calls a macro"),
+        ("GOTO10", "'GOTO10' is a macro"),
+        ("END:", "'END:' is no address"),
+        ("G1 FAST", "'FAST' is no address"),
+    ],
+)
+def test_a_call_a_jump_or_a_name_is_one_fault(bench: Bench, block: str, words: str) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run(f"{HEAD}{block}\nX2.\n")
+    (fault,) = error.value.faults
+    assert words in fault.problem
+
+
 def test_all_faults_at_once_with_their_lines(bench: Bench) -> None:
     with pytest.raises(InputError) as error:
         bench.run("G21 G90\nG54\nG0 X1. Y1. Z1.\nG43 H1 G99999\nG1 X2. A3.\nM98 P1\n")

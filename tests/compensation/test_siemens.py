@@ -115,7 +115,7 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("CYCLE800()", "tilts the plane"),
         ("POCKET3(50,0,1)", "POCKET3 is a cycle or a subprogram"),
         ("MYSUB", "MYSUB is not known, and may be a subprogram"),
-        ("L100", "L100"),
+        ("L100", "L100 calls a subprogram"),
         ("GOTOF END_LABEL", "is a jump"),
         ("IF R1==1 GOTOF A", "is a branch"),
         ("TRAORI", "no rotary axis"),
@@ -146,6 +146,18 @@ def test_what_is_not_followed_is_named_with_its_line(tmp_path: Path, line: str, 
         compensated(tmp_path, HEAD + line + "\nM30\n")
     assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
     assert all(int(fault.place.removeprefix("line ")) >= 5 for fault in caught.value.faults)
+
+
+@pytest.mark.parametrize(
+    "line", ["L100 P2", "L7 P=3 ; X5", "GOTOF END_LABEL", "IF (R1 > 5) AND R2 GOTOB A", "WHILE R1<=3"]
+)
+def test_a_call_or_a_jump_is_one_fault(tmp_path: Path, line: str) -> None:
+    with pytest.raises(InputError) as caught:
+        compensated(tmp_path, f"{HEAD}{line}\nM30\n")
+    (fault,) = caught.value.faults
+    assert (
+        "subprogram" in fault.problem or "jump" in fault.problem or "branch" in fault.problem or "loop" in fault.problem
+    )
 
 
 def test_machine_coordinates_are_those_of_the_tip_while_a_length_is_in_force(tmp_path: Path) -> None:
@@ -192,6 +204,20 @@ def test_length_without_d_is_noted(tmp_path: Path) -> None:
 )
 def test_what_several_controls_read_is_not_recognised(text: str) -> None:
     assert dialect_of(text) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "suffix", "control"),
+    [
+        ("G71 G90\nG0 X5\nT1 D1\n", ".MPF", "siemens"),
+        ("G0 X5.\n", ".spf", "siemens"),
+        ("G0 X5.\n", ".nc", None),
+        ("%\nO1000\nG0 X5.\n", ".mpf", None),
+        ("G43.4 H1\n", ".mpf", "fanuc"),
+    ],
+)
+def test_the_extension_of_sinumerik_tells_its_programs(text: str, suffix: str, control: str | None) -> None:
+    assert dialect_of(text, suffix=suffix) == control
 
 
 NUMBERS = st.integers(-20000, 20000).map(lambda n: f"{n / 1000:.3f}")

@@ -96,6 +96,14 @@ def test_a_length_that_may_have_moved_z(bench: Bench, dialect: Any) -> None:
         bench.run(f"{program}G91 G43 H2 Z1.\n", tools=TABLE, dialect=dialect)
 
 
+def test_a_length_below_zero_is_noted_once(bench: Bench) -> None:
+    """Touched off on the workpiece, a length is no lever: the tip would be taken to lie in the spindle."""
+    program = "G21 G90\nT1 M6\nG0 X1. Y2. Z300.\nG43 H1 Z10.\nG49 Z300.\nG43 H1 Z10.\n"
+    for tool, noted in ((Tool(-80.0), 1), (Tool(80.0), 0), (Tool(-80.0, point=(0.0, 0.0, -120.0)), 0)):
+        bench.run(program, tools=ToolTable({1: tool}), dialect="linuxcnc")
+        assert sum("below 0: the tip is taken to lie 80 mm" in note for note in bench.report.notes) == noted
+
+
 @pytest.mark.parametrize("dialect", [None, "linuxcnc"])
 def test_tools_of_the_same_length_may_differ_on_the_control(bench: Bench, dialect: Any) -> None:
     program = "G21 G90\nT1 M6\nG43 H1 G0 X10. Y20. Z50.\nG43 H4\nX400.\nZ30.\n"

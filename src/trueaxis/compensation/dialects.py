@@ -24,6 +24,7 @@ _FANUC = re.compile(
 # how programs of Fanuc and the like begin: % and their number
 _NUMBERED = re.compile(r"(?i)(?:\xef\xbb\xbf)?\s*%[^\S\n]*\n\s*[O:]\d")
 _TURRET = re.compile(r"(?i)T\d{4}")  # of a lathe, on which T alone changes the tool
+_OF_SIEMENS = frozenset({".mpf", ".spf"})  # extensions that only SINUMERIK gives its programs
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 _BYTES = 65536
 RECOGNISED = "the program is read as one for {}; --dialect says otherwise"
@@ -46,8 +47,10 @@ def head_of(program: Path) -> str:
         return file.read(_BYTES).decode("latin-1")
 
 
-def dialect_of(text: str, said: Dialect | None = None) -> Dialect | None:
-    """The control, by the first lines of a program; None where several may read it, also the one that the user says."""
+def dialect_of(text: str, said: Dialect | None = None, suffix: str = "") -> Dialect | None:
+    """The control, by the first lines of a program and its extension; None where several may read it, also the one that
+    the user says.
+    """
     if is_klartext(text):
         return "heidenhain"
     words = re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text)
@@ -55,7 +58,9 @@ def dialect_of(text: str, said: Dialect | None = None) -> Dialect | None:
         return "siemens"
     if said in {"siemens", "heidenhain"} and _NUMBERED.match(text):
         return "fanuc"
-    return "fanuc" if _FANUC.search(words) and not _TURRET.search(words) else None
+    if _FANUC.search(words) and not _TURRET.search(words):
+        return "fanuc"
+    return "siemens" if suffix.lower() in _OF_SIEMENS and not _NUMBERED.match(text) else None
 
 
 # capitals and no sign but a blank: older controls take no other in a comment
@@ -68,7 +73,7 @@ _HEAD = re.compile(
     r"(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+|(?:\d++[ \t]++)?BEGIN PGM[^\r\n]*+)?\r*+\n)*"
 )
 _HEAD_BYTES = 65536
-_SEMICOLON = frozenset({".mpf", ".spf", ".i"})  # extensions of Siemens and Heidenhain, where ( ) is no comment
+_SEMICOLON = _OF_SIEMENS | {".i"}  # extensions of Siemens and Heidenhain, where ( ) is no comment
 
 
 def comment_of(program: Path, dialect: Dialect | None) -> str:

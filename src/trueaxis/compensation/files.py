@@ -189,7 +189,8 @@ def compensated(
     if via_linuxcnc is not None:
         check_unrolled(settings, language, model)
         made, settings = unrolled_first(program, model, settings, via_linuxcnc, name, notes)
-    said, seen = settings.dialect, dialect_of(head_of(program), settings.dialect) if language == "nc" else None
+    said = settings.dialect
+    seen = dialect_of(head_of(program), said, program.suffix) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))
         settings = replace(settings, dialect=seen)

@@ -10,6 +10,7 @@ _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
 _ONCE = frozenset("XYZABCIJKRFSTN")
 _PARAMETERS = frozenset("PQLE")
+_MACRO_CALLS = (650, 660, 661)  # G65 G66 G66.1: the other words are arguments
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 TO_PLC = "goes to the machine's own control (PLC), and is taken to move no axis"
@@ -255,7 +256,7 @@ def _takes(letter: str, meaning: Meaning) -> bool:
     return bool(
         meaning.miscellaneous
         or meaning.dwell
-        or not meaning.codes.isdisjoint(codes.PATH_MODES)
+        or not meaning.codes.isdisjoint((*codes.PATH_MODES, *_MACRO_CALLS))
         or meaning.look_ahead
         or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))

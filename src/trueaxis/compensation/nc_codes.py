@@ -211,8 +211,8 @@ AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timin
 OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
 _SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
-_IN_PLACE = "write the blocks of the subprogram in place of each call, which gets its own words"
-_UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + _IN_PLACE
+IN_PLACE = "write the blocks of the subprogram in place of each call, which gets its own words"
+_UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + IN_PLACE
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _MODES = "saves or restores modes, so that later blocks read differently"
@@ -289,7 +289,7 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
         return None
     harm = HARMFUL_ON.get(dialect or "", {}).get(code) or HARMFUL.get(code)
     if harm:
-        remedy = _UNROLLED if dialect in (None, "linuxcnc") else _IN_PLACE
+        remedy = _UNROLLED if dialect in (None, "linuxcnc") else IN_PLACE
         return f"M{code} {harm}", f"--pass-m does not pass it; {remedy}" if harm is _SUBPROGRAM else NOT_PASSED
     if code in passed:
         return None

@@ -14,7 +14,7 @@ from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 # 3.11.5 gets wrong
 NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
 _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
-_MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
+_MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO(?:\d++)?|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
 
 
 LARGEST = 1e9  # of a word's number: what is more is no machine's
@@ -24,6 +24,7 @@ _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.I
 
 
 _CORNER = re.compile(r",[ \t]*+[RC]", re.IGNORECASE)
+_NAME = re.compile(r"[A-Za-z_]{2}\w*+:?")
 
 
 class Word(NamedTuple):
@@ -101,6 +102,8 @@ def _complaint(body: str, place: int) -> str:
         return f"{column}: a comment that is not closed, or holds another"
     if _is_macro(body, place):
         return f"{column}: {body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
+    if name := _NAME.match(body, place):
+        return f"{column}: {name[0]!r} is no address with its number"
     if sign.isascii() and sign.isalpha():
         return f"{column}: address {sign} without a number"
     if _CORNER.match(body, place):

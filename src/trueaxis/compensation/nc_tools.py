@@ -35,6 +35,11 @@ FIRST_EDGE = "no D after the tool change: D1 is taken to come into force by itse
 NO_LENGTH = "G43 H0 is no length (Fanuc), or that of the tool in the spindle (LinuxCNC)"
 OF_SPINDLE = "G43 without H, or with H0, takes the length of the tool in the spindle, which is not known here"
 SPINDLE_REMEDY = "T and M6 before it, or --spindle-tool, which names the one in the spindle before the program"
+BELOW_ZERO = (
+    "a tool length below 0: the tip is taken to lie {:g} mm behind the point of --tool-point, as where lengths are "
+    "differences from a master tool. A length that was touched off on the workpiece holds the work offset, too: give "
+    "the tool's own length and the rest as the work offset, or the tool's point in --tools"
+)
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -219,6 +224,8 @@ class ToolReader:
         """What G43 adds to each axis, mm: Z everywhere, X and Y on LinuxCNC."""
         if any(tool.shift[:2]) and not self._on_linuxcnc:
             self._faults.add(number, "G43 of a tool with X or Y: LinuxCNC adds them, others do not", _LINUXCNC)
+        if tool.shift[2] < 0.0 and tool.point is None:
+            self._notes.add(number, BELOW_ZERO.format(-tool.shift[2]))
         given = dict(zip(LINEAR, tool.shift, strict=True))
         return [given.get(axis, 0.0) for axis in self._state.axes]
 

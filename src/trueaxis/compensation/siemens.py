@@ -18,6 +18,7 @@ _TOOL_NAME = re.compile(r'T[ \t]*+=[ \t]*+"[^"]*+"', re.IGNORECASE)
 _PLAIN = re.compile(rf"([A-Za-z])[ \t]*+({NUMBER})(?![ \t]*+=)")
 _KEYWORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*+")
 _ARGUMENTS = re.compile(r"[ \t]*+\([^()\"]*+(?:\"[^\"]*+\"[^()\"]*+)*\)")
+_SUBPROGRAM = re.compile(r"(L[0-9]{1,7}+)(?:[ \t]*+P[ \t]*+=?[ \t]*+[0-9]++)?(?![ \t]*+[=.])", re.IGNORECASE)
 _ADIS = re.compile(rf"(?:ADIS|ADISPOS)[ \t]*+=[ \t]*+{NUMBER}", re.IGNORECASE)
 _DEFINITION = re.compile(
     r"DEF[ \t]++(?:REAL|INT|BOOL|CHAR|AXIS|FRAME|STRING[ \t]*+\[[ \t]*+\d++[ \t]*+\])[ \t]++"
@@ -64,6 +65,9 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = passed.end()
         elif not functions and (label := _LABEL.match(body, place)):
             place = label.end()
+        elif called := _call(body, place):
+            functions.append(called[0])
+            place = called[1]
         elif (number := _WAY.match(body, place)) and abs(float(number[3])) > LARGEST:
             problem = beyond(number[1], number[3])
         elif way := _WAY.match(body, place):
@@ -80,17 +84,15 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = found.end()
         elif (spindle := _SPINDLE.match(body, place)) and (body[place] in "Ss" or spindle[1] in _SPINDLE_CODES):
             place = spindle.end()
-        elif named := _TOOL_NAME.match(body, place):
-            functions.append(Function(TOOL_BY_NAME, named[0]))
-            place = named.end()
         elif (statement := _STATEMENT.match(body, place)) or not (keyword := _KEYWORD.match(body, place)):
             what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
             what = what or "is no word whose value is in the program"
             problem = f"column {place + 1}: {body[place : place + 20]!r} {what}"
         else:
-            arguments = _ARGUMENTS.match(body, keyword.end())
-            functions.append(Function(keyword[0].upper(), arguments[0].strip() if arguments else None))
+            name, arguments = keyword[0].upper(), _ARGUMENTS.match(body, keyword.end())
+            functions.append(Function(name, arguments[0].strip() if arguments else None))
             place = arguments.end() if arguments else keyword.end()
+            place = len(body) if name in _BRANCHES else place  # the rest is on which condition, and where to
     return SiemensBlock(Block(tuple(words), problem), tuple(functions), ways)
 
 
@@ -100,6 +102,15 @@ def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
     """
     patterns = (_BLANK, _COMMENT, _ADIS, _SPINDLE_TURNS, *([_DEFINITION] if first else []))
     return next((match for pattern in patterns if (match := pattern.match(body, place))), None)
+
+
+def _call(body: str, place: int) -> tuple[Function, int] | None:
+    """A tool by its name, or a subprogram by its number, and where that ends."""
+    if named := _TOOL_NAME.match(body, place):
+        return Function(TOOL_BY_NAME, named[0]), named.end()
+    if called := _SUBPROGRAM.match(body, place):
+        return Function(called[1].upper(), None), called.end()
+    return None
 
 
 def _word(letter: str, number: str, start: int, end: int) -> Word:
@@ -172,6 +183,8 @@ def _take(function: Function, meaning: Meaning) -> None:
         meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
     elif name in _FAULTY:
         meaning.complain(f"{name} {_FAULTY[name]}", _RUN if name in _BRANCHES else _WRITTEN_OUT)
+    elif _SUBPROGRAM.fullmatch(name):
+        meaning.complain(f"{name} calls a subprogram, which is not followed", codes.IN_PLACE)
     elif name in ("TRAORI", "TRAFOOF"):
         meaning.point_control = name == "TRAORI"
         if arguments not in (None, "()", "(1)"):
