@@ -33,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("seed", type=int, nargs="?", help="of the design, its machine and its noise")
     parser.add_argument("--out", type=Path, metavar="DIR")
-    parser.add_argument("--axes", type=int, choices=(3, 5), help="default: drawn")
+    parser.add_argument("--axes", type=int, choices=(3, 4, 5), help="default: drawn")
     parser.add_argument("--curves", choices=("smooth", "prior"), default="smooth")
     parser.add_argument("--effect", nargs=3, action="append", default=[], metavar=("KIND", "COMPONENT", "SIZE"))
     parser.add_argument("--worn", nargs=2, metavar=("COMPONENT", "SIZE"), help="errors.json: the truth before a wear")

@@ -32,7 +32,8 @@ def _of_machine(machine: Machine) -> dict[str, bool]:
     offsets = [body for body in machine.bodies if any(body.offset)]
     return {
         "three_axes": not machine.rotary,
-        "five_axes": bool(machine.rotary),
+        "four_axes": len(machine.rotary) == 1,
+        "five_axes": len(machine.rotary) == 2,
         "workpiece_axes": bool(carried),
         "tool_axes": len(carried) < 3,
         "reversed_sense": any(body.sense < 0 for body in machine.bodies),

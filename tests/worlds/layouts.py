@@ -17,18 +17,21 @@ ROTARY_LOCATIONS = {"A": ("EY", "EZ", "EB", "EC"), "B": ("EX", "EZ", "EA", "EC")
 
 
 def draw_layout(source: Source, name: str, axes: int | None = None) -> Machine:
-    """axes: 3 or 5; None: drawn."""
-    five = source.random() < FIVE_AXES if axes is None else axes == 5
+    """axes: 3, 4 or 5; None: 3 or 5, drawn."""
+    count = (5 if source.random() < FIVE_AXES else 3) if axes is None else axes
     order = list(source.permutation(list("XYZ")))
     split = int(source.integers(0, 4))
     sides = {"workpiece": order[:split], "tool": order[split:]}
     kind = "three axes"
-    if five:
+    if count == 4:
+        kind = str(source.choice(["table", "head"]))
+        sides["workpiece" if kind == "table" else "tool"] += [str(source.choice(["A", "B", "C"]))]
+    if count == 5:
         kind = str(source.choice(["table-table", "head-table", "head-head"]))
         tilt = str(source.choice(["A", "B"]))
         sides["workpiece"] += {"table-table": [tilt, "C"], "head-table": ["C"], "head-head": []}[kind]
         sides["tool"] += {"table-table": [], "head-table": [tilt], "head-head": ["C", tilt]}[kind]
-    travels = _travels(source, five)
+    travels = _travels(source, count > 3)
     located = _locations(source, sides)
     numbers = iter(np.cumsum(source.integers(1, 3, 12)) + BED)
     bodies: list[Body] = []
@@ -70,12 +73,12 @@ def _offset(source: Source, stem: str, reach: float, zero: bool) -> tuple[tuple[
     return (x, y, z), names
 
 
-def _travels(source: Source, five: bool) -> dict[str, tuple[float, float]]:
+def _travels(source: Source, rotary: bool) -> dict[str, tuple[float, float]]:
     spread = source.choice([0.15, 1.0], p=[0.35, 0.65])
     middle = np.exp(source.uniform(np.log(250.0), np.log(1500.0)))
     found = {}
     for axis in "XYZ":
-        shortest = SHORTEST_WITH_ROTARY if five else SHORTEST
+        shortest = SHORTEST_WITH_ROTARY if rotary else SHORTEST
         length = float(np.clip(middle * np.exp(spread * source.normal()), shortest, LONGEST))
         low = {
             "from zero": 0.0,
