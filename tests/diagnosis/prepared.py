@@ -150,7 +150,7 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
         for name in names
     ]
     base = Projection(spanned(null.columns.whitened(white)))
-    return Field(readings_of(model, rows), null, white, base, freedom_of(rows, white.sigma, told))
+    return Field(readings_of(model, rows), null, white, base, freedom_of(rows, white, told))
 
 
 def run_noise(

@@ -33,7 +33,7 @@ def null() -> Null:
 def changes(null: Null, change: FloatArray, given: FloatArray) -> Changes:
     """change: (of_machine,), of the values, in units of what is expected."""
     values = null.values + null.base.machine @ (null.base.expected[: null.base.of_machine] * change)
-    freedom = freedom_of(null.rows, null.whitening.sigma, null.noise)
+    freedom = freedom_of(null.rows, null.whitening, null.noise)
     return stale_values(replace(null, values=values, given=given), (), (), freedom)
 
 

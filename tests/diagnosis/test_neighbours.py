@@ -5,7 +5,7 @@ import pytest
 from scipy.linalg import block_diag
 
 from tests.diagnosis.prepared import SIGMA, Field, FloatArray, dense_covariance, field, noise_of
-from trueaxis.diagnosis.neighbours import disturbed, explained_by
+from trueaxis.diagnosis.neighbours import among, disturbed, explained_by
 from trueaxis.diagnosis.search import Found, Ground, search, whitened_columns
 
 
@@ -24,7 +24,11 @@ def test_two_neighbours_are_taken_for_a_step_and_are_none(size: float) -> None:
     ground, off = planted(field(), 2, size)
     found = search(ground)
     assert [one.scan.effect.kind for one in found.causes] == ["laser_step"]
-    assert np.flatnonzero(disturbed(ground, found)).tolist() == off
+    pairs = disturbed(ground, found)
+    assert list(pairs) == [found.causes[0].scan.effect]
+    (pair,) = pairs.values()
+    assert np.flatnonzero(among(ground.readings.rows, pair)).tolist() == off
+    assert disturbed(ground, found, real=pairs.keys()) == {}
 
 
 @pytest.mark.parametrize("count", [3, 6, 18])
@@ -33,7 +37,7 @@ def test_a_step_of_three_readings_stays(count: int, size: float) -> None:
     ground, _ = planted(field(), count, size)
     found = search(ground)
     assert [one.scan.effect.kind for one in found.causes] == ["laser_step"]
-    assert not disturbed(ground, found).any()
+    assert disturbed(ground, found) == {}
 
 
 def test_a_cause_beyond_any_doubt_stays_beside_readings_that_are_far_off() -> None:
@@ -44,7 +48,7 @@ def test_a_cause_beyond_any_doubt_stays_beside_readings_that_are_far_off() -> No
     values = noise_of(where, 3)
     values[off] += 200.0 * SIGMA
     values[off[5:7]] += 5000.0 * SIGMA
-    assert not disturbed(where.ground(values), found).any()
+    assert disturbed(where.ground(values), found) == {}
 
 
 def test_what_two_readings_explain_is_that_of_least_squares_with_both_free() -> None:

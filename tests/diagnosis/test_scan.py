@@ -13,7 +13,6 @@ from scipy.stats import f, kstest
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, WHITE, Field, dense_covariance, field, noise_of
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis import prepared
-from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.prepared import Prepared, inner_of
 from trueaxis.diagnosis.scan import HELD, Scanned, peaks_of, residual_of, scanned
 from trueaxis.diagnosis.signature import Signature
@@ -177,21 +176,6 @@ def test_in_noise_alone_the_threshold_is_hardly_ever_reached() -> None:
     least = np.min([values[1] for values in found.values()], axis=0) * len(found)
     assert np.mean(least < 0.05) < 0.05 + 3 * np.sqrt(0.05 * 0.95 / least.size)
     assert np.mean(least < 1.0) > 0.1  # and not beyond all reach
-
-
-def test_freedom_is_that_of_the_instruments_that_sense_it() -> None:
-    """Variances of a laser told by few repeats and of a ball bar told by many: the ratio, by simulation."""
-    draws = 200_000
-    source = np.random.default_rng(6)
-    sigma = np.array([1.0, 1.0, 2.0, 2.0])
-    freedom = Freedom(np.array([8.0, 8.0, 50.0, 50.0]), sigma)
-    column = np.array([[1.0], [1.0], [4.0], [2.0]])
-    found = freedom.of(np.arange(4), column)
-    share = np.array([2.0, 5.0]) / 7.0  # of the whitened squares
-    variance = share[0] * source.chisquare(8.0, draws) / 8.0 + share[1] * source.chisquare(50.0, draws) / 50.0
-    assert found == pytest.approx(2.0 / np.var(variance), rel=0.05)
-    assert freedom.of(np.arange(2), column[:2]) == pytest.approx(8.0)
-    assert freedom.of(np.array([0, 2]), np.array([[1.0], [0.0]])) == pytest.approx(8.0)
 
 
 @pytest.mark.parametrize(

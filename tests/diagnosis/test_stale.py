@@ -34,7 +34,7 @@ def curve(component: str, change: FloatArray) -> FloatArray:
 def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:
     null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
     assert null.rows.size == given().rows.size
-    changes = stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
+    changes = stale_values(null, causes, (), freedom_of(null.rows, null.whitening, null.noise))
     return changes.stale, changes.p_value
 
 
@@ -113,7 +113,7 @@ def test_a_change_whose_slope_is_not_told_is_that_from_a_straight_line() -> None
     values = readings.sensitivity[readings.model.components.index("EXY")] * wave
     values = values + SIGMA * np.random.default_rng(6).standard_normal(case.rows.size)
     null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
-    freedom = freedom_of(null.rows, null.whitening.sigma, null.noise)
+    freedom = freedom_of(null.rows, null.whitening, null.noise)
     (one,) = stale_values(null, (), (), freedom).stale
     assert (one.component, one.bent) == ("EXY", True)
     assert abs(one.value) > 2.0 * one.u

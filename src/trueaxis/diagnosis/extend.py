@@ -53,11 +53,15 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     )
 
 
+def all_readings(data: MeasuredData) -> Observations:
+    """The readings that were measured, with the temperatures that the diagnosis assumes."""
+    return observations("readings", data.setup.runs, assumed(smoothed(data).readings))
+
+
 def kept_readings(data: MeasuredData, diagnosis: Diagnosis) -> Observations:
     """The readings that the diagnosis worked on, with the temperatures that it assumed."""
     taken = np.flatnonzero(~data.readings.planned)
-    everything = observations("readings", data.setup.runs, assumed(smoothed(data).readings))
-    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+    return all_readings(data).of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +80,8 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
 
     Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where values
     given are nearly right, runs that contradict the others look like noisy ones beside changes that are none: so the
-    readings are judged as they are, too, as `identify` does. Where a cause is not part of the extended machine,
+    readings are judged as they are, too, as `identify` does: all of them, where no effect needs to know from where an
+    axis came. Where a cause is not part of the extended machine,
     readings that it explains fit no values, which says nothing against them; but a run of which an instrument is the
     cause may have been misread, which then explains all of it.
     """
@@ -93,7 +98,7 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
     whole = len(effects) == len(found.causes)
     wrong = fit.runs if whole and fit is not None and fit.state == "misfit" else ()
     if whole and not wrong:
-        wrong = _as_read(extended, model.errors, readings, start)
+        wrong = _as_read(extended, model.errors, readings if named else all_readings(data), start)
     of_instruments = frozenset(run for one in found.causes for run in one.effect.runs)
     if of_instruments:
         wrong = (*wrong, *(run for run in _misread(model, readings) if run in of_instruments))

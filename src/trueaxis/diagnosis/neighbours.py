@@ -7,7 +7,7 @@ after it, are two. Two readings that are left out take their part of every cause
 Weisberg, Residuals and Influence in Regression, 1982): a cause of more than these stays.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -15,10 +15,12 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.scan import LN10
 from trueaxis.diagnosis.search import RIVAL, Found, Ground, Search, beside_causes, whitened_columns
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.effects.kind import Effect
 from trueaxis.estimation.outliers import NEIGHBOURS, ROUNDING
 from trueaxis.estimation.tails import log_chi2_tail
 
@@ -26,14 +28,30 @@ from trueaxis.estimation.tails import log_chi2_tail
 # and of two that explain as much as a cause one is among the farthest
 LOOKED_AT = 16
 
+LeftOut = frozenset[tuple[int, int]]  # run, by number, and place in it
 
-def disturbed(ground: Ground, found: Search) -> BoolArray:
-    """(n,): two neighbouring readings for each cause that they explain as well, and that is none beside them."""
-    taken = np.zeros(ground.values.size, dtype=bool)
+
+def disturbed(ground: Ground, found: Search, real: Collection[Effect] = ()) -> dict[Effect, LeftOut]:
+    """Causes that two neighbouring readings explain as well, and that are none beside these two, with the two. real:
+    causes that are no disturbance.
+    """
+    rows, pairs = ground.readings.rows, dict[Effect, LeftOut]()
     for index, cause in enumerate(found.causes):
         others = found.causes[:index] + found.causes[index + 1 :]
-        taken[_two(ground, beside_causes(ground, others), cause)] = True
-    return taken
+        pair = [] if cause.scan.effect in real else _two(ground, beside_causes(ground, others), cause)
+        if pair:
+            pairs[cause.scan.effect] = frozenset((int(rows.run[row]), int(rows.seq[row])) for row in pair)
+    return pairs
+
+
+def among(rows: Rows, some: LeftOut) -> BoolArray:
+    """(n,): whether a reading is one of some."""
+    return np.array([one in some for one in zip(rows.run.tolist(), rows.seq.tolist(), strict=True)])
+
+
+def of_one_run(pair: LeftOut, before: LeftOut) -> bool:
+    """Whether two readings are of a run of which others were left out before."""
+    return not {run for run, _ in pair}.isdisjoint(run for run, _ in before)
 
 
 def spoilt_values(

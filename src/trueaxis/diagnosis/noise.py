@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.diagnosis.base import Base
+from trueaxis.diagnosis.freedom import freedom_of_runs
 from trueaxis.diagnosis.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
 from trueaxis.diagnosis.noise_fit import Found, Guess, Law, restricted
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
@@ -44,6 +45,7 @@ def noise_of_runs(
         guesses = {name: _guess(blocks, groups, name) for name in names}
         laws, fit = restricted(blocks, groups, guesses, before)
     scales = np.ones(len(groups)) if fit is None else fit.scales
+    certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
     found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
     drifts = base.drifts
@@ -80,6 +82,7 @@ def noise_of_runs(
                 wanders=law.wanders,
                 settles=law.settles,
                 drifts=drifts[place],
+                freedom=float(certain[place]),
             )
     return tuple(found[place] for place in range(len(groups))), tuple(told), fit
 

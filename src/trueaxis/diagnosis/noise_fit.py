@@ -58,10 +58,13 @@ class Law:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each."""
+    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each;
+    told: (n_runs,), information of the readings on the logarithm of each.
+    """
 
     sizes: FloatArray
     scales: FloatArray
+    told: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -218,34 +221,47 @@ def restricted(
     x = minimize(
         of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
     ).x
+    laws, information = _averaged(of, list(first), x)
     for block in blocks[1:]:
-        _scaled(Likelihood(block, instruments, first), x)
-    return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))
+        information += _scaled(Likelihood(block, instruments, first), x)
+    return laws, Found(of.sizes(x), np.exp(x[of.count :]), information)
 
 
-def _scaled(of: Likelihood, x: FloatArray) -> None:
-    """Set the scales of the runs of a block: one step from 1, exact where noise is white."""
+def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:
+    """Set the scales of the runs of a block: one step from 1, exact where noise is white. What the readings tell of
+    their logarithms, (n_runs,).
+    """
     slope, information = np.zeros((2, of.of_run.size))
     for one in of.told(x)[1]:
         slope -= np.bincount(one.part.place, one.of_scale(), of.of_run.size)
-        both = (one.white * (one.white[:, np.newaxis] * one.precision.dense() ** 2)).sum(axis=0)
-        information += 2.0 * np.bincount(one.part.place, both, of.of_run.size)
+        information += _of_scales(one, one.precision.dense(), of.of_run.size)
     step = np.maximum(1.0 + 2.0 * slope / (information + UNEVEN**-2), np.exp(-2.0 * FARTHEST))
     x[of.count :] += np.where(information > 0.0, 0.5 * np.log(step), 0.0)
+    return information
 
 
-def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, Law]:
-    """Slow parts averaged over what the readings leave possible: of a variance of which little is known the likelihood
+def _of_scales(one: _Told, precision: FloatArray, runs: int) -> FloatArray:
+    """(runs,): expected information of a part on the logarithms of their scales."""
+    both = (one.white * (one.white[:, np.newaxis] * precision**2)).sum(axis=0)
+    return np.asarray(2.0 * np.bincount(one.part.place, both, runs), dtype=np.float64)
+
+
+def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict[str, Law], FloatArray]:
+    """The noise of the instruments, and what readings tell of the logarithms of the scales, (n_runs,).
+
+    Slow parts are averaged over what the readings leave possible: of a variance of which little is known the likelihood
     is normal about its best value, and the standard deviation anything from 0 on.
     """
     slopes, information = np.zeros((2, len(names), 3))
     freedom, sizes = np.zeros(len(names)), of.sizes(x)
+    of_scales = np.zeros(of.of_run.size)
     for one in of.told(x)[1]:
         misfit = sizes[one.number, MISFIT]  # what it may be of readings that are alone is no noise that is known
         of_base = misfit**2 * float(one.precision.diagonal()[one.part.alone].sum())
         freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise)) - of_base
         slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
         whole = one.precision.dense()
+        of_scales += _of_scales(one, whole, of.of_run.size)
         for k, shapes in enumerate(
             (one.slow, [each.wander for each in one.shapes], [each.settle for each in one.shapes])
         ):
@@ -261,7 +277,7 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     unlikely = 0.5 * (((possible - middle) / spread) ** 2 + possible / usual)
     weight = np.exp(unlikely.min(axis=0) - unlikely)
     slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
-    return {
+    laws = {
         name: Law(
             white=float(sizes[k, 0]),
             slow=float(slow[k]),
@@ -272,3 +288,4 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
         )
         for k, name in enumerate(names)
     }
+    return laws, of_scales

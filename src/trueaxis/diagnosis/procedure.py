@@ -14,7 +14,7 @@ from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.hidden_by_noise import in_noise_of_a_run, likeliest
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
-from trueaxis.diagnosis.neighbours import disturbed
+from trueaxis.diagnosis.neighbours import LeftOut, among, disturbed, of_one_run
 from trueaxis.diagnosis.null import Null, again, left_out, null_of, rougher, what_is_free
 from trueaxis.diagnosis.prospect import prospect_of
 from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
@@ -27,6 +27,7 @@ from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.stale import Changes
 from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.diagnosis.write_up import Outcome, diagnosis_of
+from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.covariance import Covariance
@@ -132,16 +133,31 @@ def _judged(
 def _undisturbed(
     model: MachineModel, null: Null, options: DiagnoseOptions
 ) -> tuple[Null, Ground, Search, tuple[Fitted, ...], Sequence[Fitted]]:
-    """The search without readings whose disturbance would be taken for a cause."""
+    """The search without readings whose disturbance would be taken for a cause.
+
+    A disturbance is of two readings: a cause that is found again without them, and that two more of their run explain,
+    is no disturbance.
+    """
+    doubted, real = dict[Effect, tuple[Null, LeftOut]](), frozenset[Effect]()
     while True:
         readings = readings_of(model, null.rows)
         standing = standing_effects(readings)
         free = refitted_columns(readings, standing)
         beside, ground, found, causes = _beside_causes(readings, free, null, options, standing)
-        taken = disturbed(ground, found)
-        if not taken.any():
+        pairs = disturbed(ground, found, real)
+        if not pairs:
             return beside, ground, found, causes, standing
-        null = _given(left_out(null, taken, options.noise_um), model, options)
+        lasting = next(
+            (one for one, pair in pairs.items() if one in doubted and of_one_run(pair, doubted[one][1])), None
+        )
+        if lasting is not None:
+            null, real, doubted = doubted[lasting][0], real | {lasting}, {}
+            continue
+        for one, pair in pairs.items():
+            first, before = doubted.get(one, (null, frozenset()))
+            doubted[one] = first, before | pair
+        taken = frozenset[tuple[int, int]]().union(*pairs.values())
+        null = _given(left_out(null, among(null.rows, taken), options.noise_um), model, options)
 
 
 def _beside_causes(
@@ -199,7 +215,7 @@ def _searched(
         base=plain,
         wide=plain,
         values=white(null.values),
-        freedom=freedom_of(null.rows, white.sigma, null.noise),
+        freedom=freedom_of(null.rows, white, null.noise),
         progress=options.progress,
         roughness=roughness_of(readings.model, null),
         rough=null.base.rough,

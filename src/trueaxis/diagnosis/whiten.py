@@ -27,7 +27,8 @@ RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 class RunNoise:
     """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
     (n,), share of its duration; wanders, settles, drifts: standard deviations of its random walk, at its end, of its
-    settling, and of its drift over the run, mm.
+    settling, and of its drift over the run, mm; freedom: degrees of freedom that tell its noise among that of all runs
+    of its instrument, infinite where it is known.
     """
 
     noise: Noise
@@ -36,6 +37,7 @@ class RunNoise:
     wanders: float
     settles: float
     drifts: float
+    freedom: float = np.inf
 
     @property
     def sigma(self) -> float:

@@ -85,6 +85,6 @@ def _ground(case: Case) -> Ground:
         base=base,
         wide=base,
         values=white(null.values),
-        freedom=freedom_of(null.rows, white.sigma, null.noise),
+        freedom=freedom_of(null.rows, white, null.noise),
         progress=lambda _: None,
     )
