@@ -52,6 +52,16 @@ def test_usual_zeros_are_no_cause(seed: int) -> None:
     assert found(readings(seed)) == ()
 
 
+@pytest.mark.parametrize(("first", "named"), [(0.0, [("reading_zero", ("Y2-1",))]), (0.5, [])])
+def test_a_run_that_disagrees_with_itself_has_no_zero_that_is_off(first: float, named: list[tuple[str, ...]]) -> None:
+    """From a share of its readings on they are off: from the first one a zero, from the middle on no zero."""
+    values, mine = readings(2), np.flatnonzero(places("Y2-1"))
+    values[mine[int(first * mine.size) :]] += 0.1
+    null = null_of(given().model, given().rows, values, None)
+    off = instruments_off(null, np.zeros(null.rows.size))
+    assert [(one.effect.kind, one.effect.runs) for one in off] == named
+
+
 @pytest.mark.parametrize("size", [0.05, 0.5])
 def test_large_errors_of_the_machine_are_no_cause_of_an_instrument(
     size: float, monkeypatch: pytest.MonkeyPatch

@@ -13,6 +13,7 @@ from scipy.special import ndtr
 
 from trueaxis.diagnosis.base import WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
+from trueaxis.diagnosis.noise_fit import NOISIEST
 from trueaxis.diagnosis.null import Null, expected_root, factored
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.whiten import RANK
@@ -187,12 +188,18 @@ def _shared(base: Base, columns: ByRun, coefficient: FloatArray, root: FloatArra
 
 
 def _own(null: Null, left: FloatArray, columns: ByRun, coefficient: FloatArray, root: FloatArray) -> Iterator[_Unknown]:
-    """Unknowns of single runs, those of one set-up together where they agree; of a ball also what its runs share."""
+    """Unknowns of single runs, those of one set-up together where they agree; of a ball also what its runs share.
+
+    Not those of a run that is noisier than runs are: it disagrees with itself, and no one value says why.
+    """
     rest = left - columns @ coefficient
     by_kind: dict[str, list[_OfRun]] = {}
+    noisy = np.zeros(len(null.base.runs), bool) if null.found is None else np.log(null.found.scales) > NOISIEST
     inside = np.split(columns.weights @ root, columns.ends[1:-1])
     members_of = zip(null.base.runs, null.base.own, null.whitening.runs, columns.few, inside, strict=True)
     for place, (run, own, noise, few, part) in enumerate(members_of):
+        if noisy[place]:
+            continue
         kinds, k = np.array(null.base.own_kinds[place]), own.shape[1]
         size = np.array([_expected_of(run.rows.run, kind)[0] for kind in kinds])
         white = noise.whitened(np.column_stack([own * size, rest[run.rows.at], few]))

@@ -14,7 +14,7 @@ from scipy.special import logsumexp
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.gain import VAGUE
 from trueaxis.diagnosis.noise import noise_of_runs
-from trueaxis.diagnosis.noise_fit import UNEVEN
+from trueaxis.diagnosis.noise_fit import NOISIEST, UNEVEN
 from trueaxis.diagnosis.null import Null, lent
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import FALSE_ALARMS
@@ -24,7 +24,6 @@ from trueaxis.estimation.tails import log_f_tail
 
 MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
 CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place
-NOISIEST = 3.0 * UNEVEN  # logarithm of the noise of a run over its instrument's: what is left beyond is no noise
 FARTHER, PLACES = 6.0, 49  # standard deviations of that logarithm over which it is averaged, and at how many values
 MOST = 0.25  # share of the runs that may be wrong: beyond it the model is
 

@@ -28,6 +28,7 @@ USUAL = np.log(8.0)
 SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
+NOISIEST = 3.0 * UNEVEN  # of this logarithm: what is left beyond is no noise
 STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
