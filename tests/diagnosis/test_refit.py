@@ -148,3 +148,11 @@ def test_a_pitch_stays_by_the_one_that_the_search_found() -> None:
         pitch = dict(zip([each.name for each in one.kind.parameters], one.values, strict=True))["pitch"]
         span = float(np.ptp(where.readings.rows.positions[0]))
         assert abs(span / pitch - span / start.scan.point["pitch"]) <= 0.5 + 1e-9
+
+
+def test_no_error_at_a_reversal_is_larger_than_a_machine_errs() -> None:
+    """What has decayed for long would explain a little by any size."""
+    where, effect = field(SMALL, WHITE), Effect(kind="reversal_spike", component="EXX")
+    ground = planted(where, ((effect, [1e3, 6.0]),), 1)
+    (cause,) = refit(ground, found_of(ground, [effect]))
+    assert abs(cause.values[0]) <= 256.0 * where.readings.model.prior.translation < 10.0

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from trueaxis.diagnosis.base import WIDE, Base
+from trueaxis.diagnosis.base import LARGEST, WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.noise_fit import NOISIEST
 from trueaxis.diagnosis.null import Null, expected_root, factored
@@ -40,7 +40,7 @@ WHOLE = {  # an unknown of a run that holds what runs share besides -> the class
     "ballbar zero": "ballbar length",
     "probe zero": "probe origin",
 }
-WIDER = (WIDE, 16.0, 64.0, 256.0)  # and by these where readings say so
+WIDER = (WIDE, 16.0, 64.0, LARGEST)  # and by these where readings say so
 SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms of its factor
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ
 MOST = 4  # instruments that are named

@@ -27,6 +27,7 @@ def refit(ground: Ground, causes: Sequence[Found], steps: int = STEPS) -> tuple[
     values = [start_of(one) for one in causes]
     ends = np.cumsum([0, *(one.size for one in values)])
     within = [_bounds(one, value, ground.readings) for one, value in zip(causes, values, strict=True)]
+    values = [np.clip(one, low, high) for one, (low, high) in zip(values, within, strict=True)]
     covariance = np.zeros((int(ends[-1]), int(ends[-1])))
     for _ in range(steps):
         signals, jacobian = _linearised(ground.readings, effects, values)

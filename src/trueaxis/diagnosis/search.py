@@ -15,10 +15,9 @@ from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.roughness import Roughness
 from trueaxis.diagnosis.scan import Residual, Scanned, residual_of, scanned
 from trueaxis.diagnosis.signature import Fitted, Readings, Signature
-from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.signatures import decays, signature_of
 from trueaxis.diagnosis.whiten import Whitening
-from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import SINCE_REVERSAL, used_variables
+from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.grids import ZOOMS, Point, finer
 
 FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
@@ -154,11 +153,7 @@ def _told(ground: Ground, effect: Effect, causes: Sequence[Found]) -> bool:
     """
     others = [one.scan.effect for one in causes]
     same = [one.signature.kind for one in causes if effect.component and one.scan.effect.component == effect.component]
-    return effect in others or (any(map(_decays, same)) and _decays(ground.readings.model.machine.kinds[effect.kind]))
-
-
-def _decays(kind: Kind) -> bool:
-    return not set(SINCE_REVERSAL).isdisjoint(used_variables(kind))
+    return effect in others or (any(map(decays, same)) and decays(ground.readings.model.machine.kinds[effect.kind]))
 
 
 def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least: float) -> str:

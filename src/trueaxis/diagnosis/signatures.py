@@ -9,13 +9,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from trueaxis.diagnosis.base import LARGEST
 from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.signature import Fitted, Memory, Readings, Signature, Terms
 from trueaxis.diagnosis.temperature import warmer
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import concerns, used_variables
-from trueaxis.error_name import DISPLACEMENTS
+from trueaxis.effects.placement import SINCE_REVERSAL, concerns, used_variables
+from trueaxis.error_name import DISPLACEMENTS, ErrorName
 from trueaxis.estimation.jacobian import places_of
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.reading_model import measuring_frame, sensed_directions
@@ -64,6 +65,7 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
             size=size,
             points=points,
             missing=missing,
+            most=_largest(readings, effect.component) if decays(kind) else np.inf,
         )
         return _with_free_runs(readings, signature)
     if kind.place == "reading":
@@ -84,6 +86,19 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
         missing=missing,
         most=_extent(readings) if kind.place == "point" else np.inf,
     )
+
+
+def decays(kind: Kind) -> bool:
+    """Whether it decays from a reversal on."""
+    return not set(SINCE_REVERSAL).isdisjoint(used_variables(kind))
+
+
+def _largest(readings: Readings, component: str) -> float:
+    """Mm or rad: what an error may be where an axis turns. Of one that has decayed for long any size would explain a
+    little.
+    """
+    prior = readings.model.prior
+    return LARGEST * (prior.translation if ErrorName(component).direction in DISPLACEMENTS else prior.rotation)
 
 
 def _extent(readings: Readings) -> float:
