@@ -30,6 +30,13 @@ def test_every_step_does_what_the_page_says(name: str, tmp_path: Path, monkeypat
         assert list(Draft7Validator(schema).iter_errors(tree_of(path))) == [], path
 
 
+def test_programs_of_three_controls_come_out_as_the_page_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert tutorials.run((ROOT / "docs" / "how-to" / "programs.md").read_text(encoding="utf-8"), tmp_path) == 4
+    for name in ("plate_c.nc", "plate_c.mpf", "plate_c.h"):
+        assert "TRUEAXIS COMPENSATED" in (tmp_path / name).read_text()
+
+
 def kind_of(path: Path) -> str:
     if path.suffix == ".json":
         return "diagnosis" if path.name == "diagnosis.json" else "errors"
