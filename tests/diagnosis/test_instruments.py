@@ -53,7 +53,9 @@ def test_usual_zeros_are_no_cause(seed: int) -> None:
 
 
 @pytest.mark.parametrize(("first", "named"), [(0.0, [("reading_zero", ("Y2-1",))]), (0.5, [])])
-def test_a_run_that_disagrees_with_itself_has_no_zero_that_is_off(first: float, named: list[tuple[str, ...]]) -> None:
+def test_a_run_that_disagrees_with_itself_has_no_zero_that_is_off(
+    first: float, named: list[tuple[str, tuple[str, ...]]]
+) -> None:
     """From a share of its readings on they are off: from the first one a zero, from the middle on no zero."""
     values, mine = readings(2), np.flatnonzero(places("Y2-1"))
     values[mine[int(first * mine.size) :]] += 0.1
