@@ -97,6 +97,13 @@ def test_wrong_input_leaves_everything_alone(tmp_path: Path) -> None:
     assert (tmp_path / "out.nc").read_text() == "before"
 
 
+def test_one_file_for_two_outputs_is_one_fault(tmp_path: Path) -> None:
+    with pytest.raises(InputError) as caught:
+        command(tmp_path, PROGRAM, "--report", str(tmp_path / "out.nc"))
+    assert [fault.problem for fault in caught.value.faults] == ["is both --out and --report"]
+    assert not (tmp_path / "out.nc").exists()
+
+
 def test_faults_of_options_and_errors_come_together(tmp_path: Path) -> None:
     with pytest.raises(InputError) as error:
         command(tmp_path, PROGRAM, "--tolerance", "-1", "--errors", str(tmp_path / "none.json"))

@@ -30,10 +30,10 @@ class Fault:
 
 
 class InputError(ValueError):
-    """Raised once an input has been read to its end and is wrong; carries every fault found."""
+    """Raised once an input has been read to its end and is wrong; carries every fault found, each once."""
 
     def __init__(self, faults: Iterable[Fault]) -> None:
-        self.faults = tuple(faults)
+        self.faults = tuple(dict.fromkeys(faults))
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
 
