@@ -21,6 +21,7 @@ def test_freedom_is_that_of_the_instruments_that_sense_it() -> None:
     variance = share[0] * source.chisquare(8.0, DRAWS) / 8.0 + share[1] * source.chisquare(50.0, DRAWS) / 50.0
     assert freedom.of(np.arange(4), column) == pytest.approx(2.0 / np.var(variance), rel=0.05)
     assert freedom.of(np.arange(2), column[:2]) == pytest.approx(8.0)
+    assert freedom.of_cause(np.arange(4), column) == pytest.approx(freedom.of(np.arange(4), column))
     assert freedom.of(np.array([0, 2]), np.array([[1.0], [0.0]])) == pytest.approx(8.0)
 
 
@@ -36,7 +37,7 @@ def test_a_test_of_one_run_stands_on_the_noise_of_that_run() -> None:
     for count in (1, 4, runs):
         column = np.where(np.arange(runs) < count, 1.0, 0.0)[:, np.newaxis]
         variance = of_instrument * scales[:, :count].mean(axis=1)
-        assert freedom.of(np.arange(runs), column) == pytest.approx(2.0 / np.var(variance), rel=0.07)
+        assert freedom.of_cause(np.arange(runs), column) == pytest.approx(2.0 / np.var(variance), rel=0.07)
 
 
 @pytest.mark.parametrize("uneven", [0.0, 0.2, 0.5])

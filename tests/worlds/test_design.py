@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.worlds.design import FEWEST, MOST, MOST_IN_A_RUN, Design, draw_design
+from tests.worlds.design import AXES, FEWEST, MOST, MOST_IN_A_RUN, WITH_FOUR_AXES, Design, draw_design
 from tests.worlds.files import readings_csv, setup_toml, spec_toml
 from tests.worlds.lines import way_since_turn
 from tests.worlds.readings import measure
@@ -30,7 +30,16 @@ def test_every_ingredient_is_in_a_fifth_of_the_designs() -> None:
     count = Counter(name for design in designs() for name, present in design.ingredients.items() if present)
     names = designs()[0].ingredients
     assert len(names) > 60
-    assert {name: count[name] for name in names if count[name] < DESIGNS / 5} == {}
+    assert {name: count[name] for name in names if count[name] < DESIGNS / 5} == {"four_axes": 0}  # later seeds have it
+
+
+def test_from_a_seed_on_designs_have_four_axes_too_on_the_table_or_in_the_head() -> None:
+    later = [draw_design(seed) for seed in range(WITH_FOUR_AXES, WITH_FOUR_AXES + 30)]
+    count = Counter(len(design.machine.axes) for design in later)
+    assert min(count[axes] for axes in AXES) >= 5
+    four = [design.machine for design in later if design.ingredients["four_axes"]]
+    assert {len(machine.rotary) for machine in four} == {1}
+    assert {machine.carries("workpiece", machine.rotary[0]) for machine in four} == {True, False}
 
 
 def test_designs_have_as_many_readings_as_is_said() -> None:

@@ -102,8 +102,8 @@ def _complaint(body: str, place: int) -> str:
         return f"{column}: a comment that is not closed, or holds another"
     if _is_macro(body, place):
         return f"{column}: {body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
-    if name := _NAME.match(body, place):
-        return f"{column}: {name[0]!r} is no address with its number"
+    if word := _NAME.match(body, place):
+        return f"{column}: {word[0]!r} is no address with its number"
     if sign.isascii() and sign.isalpha():
         return f"{column}: address {sign} without a number"
     if _CORNER.match(body, place):

@@ -34,18 +34,27 @@ class Freedom:
         return np.unique(self.of_rows)
 
     def of(self, rows: IntArray, columns: FloatArray) -> float:
-        """For a test of columns (n_rows, k), mm, zero but in those rows: by Satterthwaite's approximation, the noise of
-        instruments and how runs differ from it being independent.
+        """For a test of columns (n_rows, k), mm, zero but in those rows: by Satterthwaite's approximation."""
+        return float(1.0 / max(self._of_instruments(as_slice(rows), self._weight(rows, columns)), 1e-300))
+
+    def of_cause(self, rows: IntArray, columns: FloatArray) -> float:
+        """The same, and how the noise of runs differs from that of their instrument, independent of it, is uncertain
+        too. For what is tested once more with the noise that is left beside it: a noise that is estimated without it
+        holds it, and is no measure of it.
         """
-        here = as_slice(rows)
-        of_rows = self.of_rows[here]
-        weight = np.einsum("ij,ij->i", columns, columns) / self.sigma[here] ** 2
-        whole, inverse = max(float(weight.sum()), 1e-300), 0.0
-        for own in self._each:
-            inverse += (float(weight[of_rows == own].sum()) / whole) ** 2 / own
-        of_runs = np.bincount(self.run[here], weight, self.of_runs.size) / whole
-        inverse += float(np.sum(of_runs**2 / self.of_runs))
+        weight = self._weight(rows, columns)
+        of_runs = np.bincount(self.run[as_slice(rows)], weight, self.of_runs.size)
+        inverse = self._of_instruments(as_slice(rows), weight) + float(np.sum(of_runs**2 / self.of_runs))
         return float(1.0 / max(inverse, 1e-300))
+
+    def _weight(self, rows: IntArray, columns: FloatArray) -> FloatArray:
+        """(n_rows,): shares of the readings in a test."""
+        weight = np.einsum("ij,ij->i", columns, columns) / self.sigma[as_slice(rows)] ** 2
+        return np.asarray(weight / max(float(weight.sum()), 1e-300))
+
+    def _of_instruments(self, here: IntArray | slice, weight: FloatArray) -> float:
+        of_rows = self.of_rows[here]
+        return sum(float(weight[of_rows == own].sum()) ** 2 / float(own) for own in self._each)
 
 
 def freedom_of(rows: Rows, whitening: Whitening, noise: Sequence[NoiseOf]) -> Freedom:

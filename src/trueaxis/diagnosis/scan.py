@@ -35,7 +35,7 @@ class Residual:
 
     def freedom_of(self, signature: Signature, point: int) -> float:
         """Of the noise, for a test of the signature at this point."""
-        return self.freedom.of(signature.support, signature.columns(slice(point, point + 1))[:, 0])
+        return self.freedom.of_cause(signature.support, signature.columns(slice(point, point + 1))[:, 0])
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
