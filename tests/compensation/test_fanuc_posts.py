@@ -127,6 +127,27 @@ def test_the_control_is_left_with_the_level_that_the_program_has(bench: Bench, s
 @pytest.mark.parametrize(
     ("blocks", "problem"),
     [
+        ("G82 X1. Y1. Z-9. R2. P500 F100\nG84 X5.", "line 4: G84 after a cycle with P or Q, still in force"),
+        ("G83 X1. Y1. Z-9. R2. Q3. F100\nX3.\nG76 X5. P200", "line 5: G76 after a cycle with P or Q"),
+        ("G82 X1. Y1. Z-9. R2. P500 F100\nG89 X5.", "line 4: G89 after a cycle with P, still in force"),
+        ("G82 X1. Y1. Z-9. R2. P500 F100\nG84 X5. P0", ""),
+        ("G83 X1. Y1. Z-9. R2. Q3. F100\nG81 X5.", ""),
+        ("G82 X1. Y1. Z-9. R2. P500 F100\nG80\nG84 X5. Y1. Z-9. R2.", ""),
+        ("G84 X1. Y1. Z-9. R2. P500 F100\nG74 X5.", ""),
+    ],
+)
+def test_a_dwell_or_peck_that_is_still_in_force_is_not_lost(bench: Bench, blocks: str, problem: str) -> None:
+    """P and Q of cycles that are written out are no longer in the program, where Fanuc's control has them until G80."""
+    if not problem:
+        assert bench.run(f"{HEAD}{blocks}\n", offsets=G54, dialect="fanuc")
+        return
+    with pytest.raises(InputError, match=problem):
+        bench.run(f"{HEAD}{blocks}\n", offsets=G54, dialect="fanuc")
+
+
+@pytest.mark.parametrize(
+    ("blocks", "problem"),
+    [
         ("G84 X1. Y1. Z-9. R2. K3", "line 3: G84 with repeats; a block for each hole"),
         ("G91 G84 X1. Y1. Z-9. R2.", "line 3: G84 under G91"),
         ("G18 G84 X1. Y-9. Z1. R2.", "line 3: G84 in another plane than G17"),

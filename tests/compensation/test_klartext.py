@@ -130,7 +130,7 @@ HEAD = "BEGIN PGM T MM\nTOOL CALL 5 Z S100\nL X+0 Y+0 Z+10 R0 FMAX\n"
         ("L X+5 FMAX M99", "M99 calls the cycle that is defined before"),
         ("RND R2", "rounds a corner"),
         ("CHF 2", "bevels a corner"),
-        ("CT X+10 Y+10", "is a path that is not followed"),
+        ("CT X+10 Y+10", "is a path by its tangent or normal"),
         ("APPR LT X+10 Y+10 LEN10", "approaches or leaves"),
         ("FL AN+0 LEN20", "free contour"),
         ("PLANE SPATIAL SPA+45 SPB+0 SPC+0 STAY", "tilts the plane"),

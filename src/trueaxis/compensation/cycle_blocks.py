@@ -33,6 +33,9 @@ class CycleError(Exception):
     """What is wrong with a block of a cycle, and the remedy."""
 
 
+DWELLING = (820, 860, 890)  # cycles with a dwell at the bottom
+
+
 def steps(
     code: int, r: float, bottom: float, clear: float, peck: tuple[float, float], dwells: bool
 ) -> Iterator[Step]:  # fmt: skip
@@ -49,7 +52,7 @@ def steps(
             yield RAPID, depth + min(back, r - depth)
             depth -= deep
     yield FEED, bottom
-    if dwells and code in (820, 860, 890):
+    if dwells and code in DWELLING:
         yield DWELL, bottom
     if code == 860:
         yield SPINDLE_STOP, bottom

@@ -145,7 +145,7 @@ _FAULTY = (
     (r"PLANE", "tilts the plane"), (r"FUNCTION[ \t]*TCPM", "moves the linear axes with the rotary ones"),
     (r"FN|Q[LRS]?\d", "is a parameter"), (r"TCH PROBE|MEASURE", "probes"), (r"TRANS", "changes the frame"),
     (r"POLARKIN|FUNCTION PARAXCOMP|FUNCTION PARAXMODE", "changes the kinematics"),
-    (r"LN|LT|CTP|CT", "is a path that is not followed"), (r"TOOL DEF", "gives tool data, which --tools is to give"),
+    (r"LN|LT|CTP|CT", "is a path by its tangent or normal"), (r"TOOL DEF", "gives tool data, which --tools is to give"),
 )  # fmt: skip
 # cycles that move nothing where they are defined: drilling, pockets and the like (called later), dwell, spindle, path
 # tolerance

@@ -7,6 +7,7 @@ from dataclasses import replace
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.cycle_blocks import (
     DWELL,
+    DWELLING,
     FEED,
     MOST_PECKS,
     RAPID,
@@ -27,6 +28,7 @@ from trueaxis.compensation.nc_state import Commanded, Cycle, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
+OWN_WORDS = "G80 before it, or P and Q (0 for none) in the block"
 Z_AND_R = "both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
 
 
@@ -42,13 +44,16 @@ class CycleReader:
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in state.axes]
         self._kept = codes.KEPT_CYCLES_ON.get(settings.dialect or "", frozenset[int]())
         self._begun = False  # whether a hole of the kept cycle in force has been made
+        self._gone = frozenset[str]()  # P and Q of cycles that are written out: Fanuc has them in force until G80
         self._began_at: float | None = None  # Z before the first, to which the control goes back under G98
 
     def block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """The motions of a block while a canned cycle is in force; its text where it drills nothing."""
         cycle = self._cycle(body, block, meaning)
         if self._state.cycle is None:
-            self._state.before_cycle = self._state.motion
+            self._state.before_cycle, self._gone = self._state.motion, frozenset()
+        said = frozenset("PQ") & {word.letter for word in block.words}
+        self._gone = self._gone - said if cycle.code in self._kept else self._gone | said
         if self._state.cycle is None or self._state.cycle.code not in self._kept:
             self._begun = False
         self._state.cycle, self._state.motion = cycle, None
@@ -121,9 +126,7 @@ class CycleReader:
 
     def _problem(self, cycle: Cycle, named: set[str], meaning: Meaning) -> tuple[str, str] | None:
         """What is wrong with a block of a cycle."""
-        state = self._state
-        repeats = self._repeats(meaning)
-        name = cycle.name
+        state, repeats, name = self._state, self._repeats(meaning), cycle.name
         problems = (
             (not {"X", "Y", "Z"} <= state.row.keys(), f"{name} on a machine without X, Y and Z", "write it out"),
             (state.feed_mode == "time", f"{name} under G93", "G94"),
@@ -145,10 +148,13 @@ class CycleReader:
         """What is wrong with a hole of a cycle that stays one."""
         if cycle.code in self._kept:
             state, name = self._state, cycle.name
+            yield bool(self._gone), f"{name} after a cycle with P or Q, still in force", OWN_WORDS
             yield bool(repeats and repeats > 1), f"{name} with repeats", "a block for each hole"
             yield not state.absolute, f"{name} under G91", "G90, and a block for each hole"
             yield state.plane != 170, f"{name} in another plane than G17", "G17"
             yield state.point_control, f"{name} under tool centre point control", "end it before"
+        elif self._kept and cycle.code in DWELLING and not cycle.dwell:
+            yield "P" in self._gone, f"{cycle.name} after a cycle with P, still in force", OWN_WORDS
 
     def _repeats(self, meaning: Meaning) -> int | None:
         """How often; 0: never, the words are stored (Fanuc); None: that is no number."""
@@ -193,8 +199,7 @@ class CycleReader:
             writer.fault(*error.args)
             return
         for _ in range(self._repeats(meaning) or 1):
-            level = self._level()
-            if level is not None and level < r:
+            if (level := self._level()) is not None and level < r:
                 writer.go(Kind.RAPID, {self._depth: r})
             if not writer.across(meaning):
                 return
@@ -206,9 +211,7 @@ class CycleReader:
                 else:
                     writer.go(what, {self._depth: z})
 
-    def _stored(
-        self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str
-    ) -> list[Item]:  # fmt: skip
+    def _stored(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
         """A block with K0 or L0: its words are stored, and nothing is drilled."""
         self._notes.add(number, STORED)
         rows = [self._state.row[axis] for axis in meaning.axes]
@@ -221,9 +224,7 @@ class CycleReader:
         self._state.commanded.lose(rows)
         return [*items, Start(tuple(math.nan if row in rows else None for row in range(len(self._state.axes))))]
 
-    def _kept_hole(
-        self, number: int, line: str, body: str, block: Block, meaning: Meaning, cycle: Cycle
-    ) -> list[Item]:  # fmt: skip
+    def _kept_hole(self, number: int, line: str, body: str, block: Block, meaning: Meaning, cycle: Cycle) -> list[Item]:
         """A hole that the control makes by its own cycle, at corrected words."""
         state, row = self._state, self._state.row[self._depth]
         end = state.after(meaning.axes)
@@ -276,9 +277,8 @@ class CycleReader:
             or not state.absolute
             or not cycle.absolute
             or cycle.inch != state.inch
+            or self._problem(cycle, {"X"}, Meaning())
         ):
-            return None
-        if self._problem(cycle, {"X"}, Meaning()):
             return None
         try:
             r, bottom, clear = self._levels(cycle, Meaning())
