@@ -94,8 +94,8 @@ def decays(kind: Kind) -> bool:
 
 
 def _largest(readings: Readings, component: str) -> float:
-    """Mm or rad: what an error may be where an axis turns. Of one that has decayed for long any size would explain a
-    little.
+    """What an error may come to where an axis turns, mm or rad: of one that has decayed for long any size would explain
+    a little.
     """
     prior = readings.model.prior
     return LARGEST * (prior.translation if ErrorName(component).direction in DISPLACEMENTS else prior.rotation)
