@@ -91,6 +91,18 @@ def test_a_peck_of_the_whole_hole_and_the_exact_path_of_linuxcnc_are_noted(bench
         assert tuple(sum(said in note for note in notes) for said in ("in one peck", "exact path mode")) == noted
 
 
+@pytest.mark.parametrize("dialect", [None, "fanuc"])
+def test_a_whole_number_deeper_than_the_hole_is_no_peck(bench: Bench, dialect: Any) -> None:
+    """Q3000 is 3 mm on a Fanuc control that counts X5 as 5 mm: in one plunge of 23 mm it would break the drill."""
+    program = "G21 G90\nG0 X0. Y0. Z20.\nG98 G83 X5 Y5 Z-20 R3 Q{} F100\nX9\nG80\n"
+    with pytest.raises(InputError, match=r"line 3: G83 Q3000 is deeper than the hole.*Q with a decimal point"):
+        bench.run(program.format("3000"), XyzMachine(), dialect=dialect, integers="mm")
+    for peck in ("3", "3.", "30."):  # pecks of 3 mm, and one that is meant as a whole
+        bench.run(program.format(peck), XyzMachine(), dialect=dialect, integers="mm")
+    pecks = bench.run(program.format("3000"), XyzMachine(), dialect=dialect, integers="least-increment").decode()
+    assert pecks.count("G1") == 2  # Z-20 is 0.02 mm deep there
+
+
 @pytest.mark.parametrize(
     ("blocks", "modes"),
     [

@@ -166,7 +166,7 @@ def test_the_report_says_what_the_zero_means_for_the_part(bench: Bench) -> None:
     (use,) = bench.report.offsets
     assert np.array(use.zero.off) * 1e3 == pytest.approx(off)
     back = " ".join(f"{axis} {-part:+.1f}" for axis, part in zip("XYZ", off, strict=True))
-    assert f"the whole part comes to lie {back} um off its datum: say --touched-off G54. If" in bench.told
+    assert f"the whole part comes to lie {back} um off its datum: say --touched-off G54, with" in bench.told
     before = bench.report.before
     bench.run(program, machine, offsets=KNOWN, touched_off=(TouchedOff(system="G54"),))
     assert "G54 was touched off without compensation" in bench.told
@@ -175,6 +175,13 @@ def test_the_report_says_what_the_zero_means_for_the_part(bench: Bench) -> None:
     assert bench.report.before is not None
     assert before is not None
     assert bench.report.before.largest < before.largest
+
+
+def test_the_advice_has_the_length_of_the_first_tool(bench: Bench) -> None:
+    """Motions before the first G43 are of no tool: the place of the spindle nose is 80 mm from where the tip was."""
+    program = "G21 G90 G54\nG0 X0. Y0.\nT1 M6\nG43 H1 Z50.\nG0 X0. Y0. Z20.\nG1 X40. Y10. F100\n"
+    bench.run(program, paper_sized(3.0), offsets=KNOWN, tools=ToolTable({1: Tool(80.0)}), dialect="fanuc")
+    assert "say --touched-off G54=L80, the length being that of the tool which the program uses first" in bench.told
 
 
 def test_the_sign_check_is_of_the_machine_whatever_the_datum(bench: Bench) -> None:

@@ -197,13 +197,13 @@ def test_k0_stores_the_words_of_a_cycle(bench: Bench) -> None:
 
 
 def test_looking_ahead_passes_with_a_note(bench: Bench) -> None:
-    source = f"G5.1 Q1\n{HEAD}G05 P10000\nG1 X5. F100\nG05 P0\nG08 P1\nG5.1 Q0\n"
+    source = f"G5.1 Q1 R5\n{HEAD}G05 P10000\nG1 X5. F100\nG05 P0\nG08 P1\nG5.1 Q0\n"
     text = bench.run(source, offsets=G54, dialect="fanuc").decode()
     assert [line for line in text.splitlines() if line.startswith(("G5", "G0 5", "G05", "G08"))] == [
-        "G5.1 Q1", "G05 P10000", "G05 P0", "G08 P1", "G5.1 Q0",
+        "G5.1 Q1 R5", "G05 P10000", "G05 P0", "G08 P1", "G5.1 Q0",
     ]  # fmt: skip
     assert sum("the control may round the path" in note for note in bench.report.notes) == 3
-    for wrong in ("G5 P3", "G5", "G5.1 Q1 X0.", "G8 P1 X4.", "G5.1 Q1 R5"):
+    for wrong in ("G5 P3", "G5", "G5.1 Q1 X0.", "G8 P1 X4.", "G5.1 Q1 X5 R5", "G5.1 Q1 E2"):
         with pytest.raises(InputError, match="line 1"):
             bench.run(f"{wrong}\n{HEAD}", offsets=G54, dialect="fanuc")
     with pytest.raises(InputError, match=r"line 1: G5\.1 is a curve"):

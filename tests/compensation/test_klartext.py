@@ -145,7 +145,10 @@ HEAD = "BEGIN PGM T MM\nTOOL CALL 5 Z S100\nL X+0 Y+0 Z+10 R0 FMAX\n"
         ("TOOL CALL 5 Z S100 DL+0.5", "DL changes the length"),
         ("TOOL CALL 5 X S100", "the tool axis X"),
         ("TOOL CALL 77 Z S100", "tool 77 is not in --tools"),
-        ("TOOL CALL \"MILL\" Z S100", "in TOOL CALL is not followed"),
+        ("TOOL CALL \"MILL\" Z S100", 'no tool in --tools has the name "MILL"'),
+        ("L X+1,5 F100", "a decimal comma"),
+        ("M140", "retracts along the tool axis"),
+        ("L X+5 M140 MB MAX", "M140 and a position in one block"),
         ("TOOL DEF 5 L+50 R+3", "gives tool 5 the length 50 mm, and --tools says 81.5"),
         ("TOOL DEF 7 L+50 R+3", "--tools has no such tool"),
         ("TOOL DEF 5 LQ1 R+3", "gives tool data"),
@@ -181,10 +184,25 @@ def test_without_tools_a_call_is_a_fault(tmp_path: Path) -> None:
 
 
 def test_retracting_loses_the_position(tmp_path: Path) -> None:
-    source = HEAD + "L M140 MB MAX\nL X+50 F100\nEND PGM T MM\n"
-    with pytest.raises(InputError) as caught:
-        compensated(tmp_path, source)
-    assert "MB MAX" in str(caught.value) or "the position of Z is not known" in str(caught.value)
+    for retract in ("L M140 MB MAX", "M140 MB MAX", "M140 MB+50 FMAX", "L M140 MB 50 F5000"):
+        source = f"{HEAD}{retract}\nL X+50 FMAX\nL Z+20 FMAX\nL X+60 F100\nEND PGM T MM\n"
+        written = compensated(tmp_path, source)
+        lines = written.splitlines()
+        at = lines.index(retract)
+        assert "Z" not in lines[at + 1]  # where it stands is the control's to know
+        assert "Z" in lines[at + 2]
+        with pytest.raises(InputError, match="the position of Z is not known"):
+            compensated(tmp_path, f"{HEAD}{retract}\nL X+50 F100\nEND PGM T MM\n")
+
+
+def test_a_tool_by_its_name_is_that_of_its_number(tmp_path: Path) -> None:
+    named = ToolTable({5: Tool(length=LENGTHS[5])}, {"MILL 10": 5})
+    source = HEAD + "L X+50 F100\nEND PGM T MM\n"
+    by_number = compensated(tmp_path, source)
+    (tmp_path / "in.h").write_text(source.replace("TOOL CALL 5", 'TOOL CALL "MILL 10"'))
+    compensate_file(tmp_path / "in.h", tmp_path / "out.h", MACHINE, Settings(offsets=OFFSETS, tools=named))
+    by_name = (tmp_path / "out.h").read_text()
+    assert by_name.replace('"MILL 10"', "5") == by_number
 
 
 NUMBERS = st.integers(-20000, 20000).map(lambda n: f"{n / 1000:+.3f}")

@@ -6,7 +6,7 @@ import pytest
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
-from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation import m_codes
 from trueaxis.io.faults import InputError
 
 HEAD = "G21 G90 G17\nG0 X100. Y100. Z100.\n"
@@ -34,14 +34,14 @@ def test_a_code_that_is_the_builders_needs_the_users_word(bench: Bench, code: in
     assert bench.run(program, pass_m=(code,)) == program.encode()
 
 
-@pytest.mark.parametrize("code", sorted(codes.KNOWN.keys() - codes.END))
+@pytest.mark.parametrize("code", sorted(m_codes.KNOWN.keys() - m_codes.END))
 def test_what_means_the_same_everywhere_passes(bench: Bench, code: int) -> None:
     program = f"{HEAD}M{code}\nG1 X5. F100\n"
     assert bench.run(program) == program.encode()
     assert bench.report.passed == ()
 
 
-@pytest.mark.parametrize("code", sorted(codes.HARMFUL))
+@pytest.mark.parametrize("code", sorted(m_codes.HARMFUL))
 def test_what_moves_axes_is_not_passed_whoever_vouches(bench: Bench, code: int) -> None:
     with pytest.raises(InputError, match=f"line 3: M{code} .*--pass-m does not pass it"):
         bench.run(f"{HEAD}M{code}\nG1 X5.\n", pass_m=(code,))
@@ -76,3 +76,25 @@ def test_a_cutter_location_file_knows_the_same_codes(bench: Bench) -> None:
     assert bench.report.passed[0].lines.first == (4,)
     with pytest.raises(InputError, match="line 4: M98 calls"):
         bench.run(program.replace("110", "98"), language="apt", pass_m=(98,))
+
+
+@pytest.mark.parametrize("block", ["G187 P3", "N20 G187 P3. E.01", "G103", "G5.9 R2"])
+def test_a_g_code_of_the_builder_passes_where_the_user_says_so(bench: Bench, block: str) -> None:
+    program = f"{HEAD}{block}\nG1 X105. F100\n"
+    code = block.removeprefix("N20 ").split()[0].removeprefix("G")
+    with pytest.raises(InputError, match=f"line 3: G{code} is not a known code; say --pass-g {code} if") as error:
+        bench.run(program)
+    assert len(error.value.faults) == 1  # its P and E are no faults of their own
+    assert bench.run(program, pass_g=(float(code),)) == program.encode()
+    assert f"line 3: G{code} passes as --pass-g says" in bench.told
+
+
+@pytest.mark.parametrize("block", ["G187 X5.", "G187 G1", "G187 M8", "G187 F100", "G187 I1."])
+def test_it_passes_in_a_block_of_its_own(bench: Bench, block: str) -> None:
+    with pytest.raises(InputError, match="line 3: G187, which --pass-g names, beside axis words or other codes"):
+        bench.run(f"{HEAD}{block}\n", pass_g=(187.0,))
+
+
+def test_what_moves_axes_is_no_g_code_to_pass(bench: Bench) -> None:
+    with pytest.raises(InputError, match="line 3: G68 turns the coordinates"):
+        bench.run(f"{HEAD}G68 X0. Y0. R30.\n", pass_g=(68.0,))

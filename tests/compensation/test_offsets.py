@@ -131,7 +131,8 @@ def test_an_axis_that_stays_outside_its_travel_is_one_fault(bench: Bench) -> Non
 
 
 def test_travel_is_that_of_machine_positions(bench: Bench) -> None:
-    with pytest.raises(InputError, match=r"line 2: X = 1020.5 is outside its travel"):
+    of_offset = "line 2: X = 1020.5 is outside its travel; from -1000 to 1000; 120.5 of it are the work offset"
+    with pytest.raises(InputError, match=of_offset):
         bench.run("G54 G21 G90\nG0 X900. Y0. Z0.\n", offsets=KNOWN)
 
 

@@ -7,6 +7,7 @@ import pytest
 from tests.compensation.analytic_machine import paper_sized
 from tests.compensation.control import Bench
 from trueaxis.compensation.offsets import Offsets, offset_of_option
+from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import InputError
 
 VALUES = {"X": (300.0, 300.0), "Y": (-200.0, -200.0), "Z": (100.0, 100.0)}
@@ -36,6 +37,26 @@ def test_what_moves_no_axis_passes_as_it_is(bench: Bench, block: str) -> None:
     assert lines[1] == block
     assert any("goes to the machine's own control" in note for note in bench.report.notes) == (block == "H5")
     assert lines[2:] == run(bench)[1:]
+
+
+def test_the_end_of_a_tilted_plane_passes_with_a_note(bench: Bench) -> None:
+    lines = run(bench, "CYCLE800()")
+    assert lines[1] == "CYCLE800()"
+    assert any("CYCLE800() ends a tilted plane" in note for note in bench.report.notes)
+
+
+def test_a_tool_by_its_name_is_that_of_its_number(bench: Bench) -> None:
+    tools, text = ToolTable({7: Tool(80.0)}, {"DRILL 8.5": 7}), "G71 G90 G54\n{}\nM6\nD1\nG0 X0 Y0 Z0\nG1 X5 F100\n"
+    written = [
+        bench.run(text.format(word), paper_sized(3.0), dialect="siemens", offsets=OFFSETS, tools=tools).decode()
+        for word in ("T7", 'T="DRILL 8.5"')
+    ]
+    assert written[1].replace('T="DRILL 8.5"', "T7") == written[0]
+    assert "tool 7: the point 0, 0, -80" in bench.told
+    with pytest.raises(InputError) as caught:
+        bench.run(text.format('T="X"\nM6\nT="x"'), dialect="siemens", offsets=OFFSETS, tools=tools)
+    (fault,) = caught.value.faults
+    assert (fault.place, fault.problem) == ("line 2", 'no tool in --tools has the name "X"')
 
 
 @pytest.mark.parametrize(

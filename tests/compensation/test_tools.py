@@ -199,6 +199,15 @@ def test_a_table_that_is_wrong_is_the_only_fault(tmp_path: Path) -> None:
     assert [fault.file for fault in refused.value.faults] == [str(tmp_path / "tool.tbl")]
 
 
+def test_a_tool_that_is_missing_is_told_once(bench: Bench) -> None:
+    blocks = "G21 G90 G54\nT9 M6\nG43 H9\nG0 X0. Y0. Z0.\nT9 M6\nG43 H9 Z5.\nT8 M6\n"
+    with pytest.raises(InputError) as caught:
+        bench.run(blocks, offsets=KNOWN, **ON_LINUXCNC)
+    assert [(f.place, f.problem) for f in caught.value.faults] == [
+        ("line 2", "tool 9 is not in --tools"), ("line 7", "tool 8 is not in --tools"),
+    ]  # fmt: skip
+
+
 def test_the_length_of_another_tool_is_said(bench: Bench) -> None:
     bench.run("G21 G90\nT1\nM6\nG43 H2 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
     assert any("the length of tool 2 is put in force while tool 1" in note for note in bench.report.notes)
@@ -284,7 +293,8 @@ def test_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert read_tools(table).tools == {
         1: Tool(80.0, cutter=Cutter(6.0)), 2: Tool(5.0, (-1.5, 0.0, 0.0), cutter=Cutter(0.0)),
     }  # fmt: skip
-    toml.write_text("[tool.1]\nlength = 80.0\ndiameter = 6.0\n")
+    toml.write_text('[tool.1]\nlength = 80.0\ndiameter = 6.0\nname = "Mill 6"\n')
+    assert read_tools(toml).number_of("MILL 6") == read_tools(toml).number_of("mill 6") == 1
     table.write_text("T1 P1 Z80 D-0.02 I95 J155 Q6\n")
     assert read_tools(toml).tools == {1: Tool(80.0, cutter=Cutter(6.0))}
     assert read_tools(table).tools == {1: Tool(80.0, cutter=Cutter(-0.02, (95.0, 155.0), 6))}
@@ -301,6 +311,12 @@ def test_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ("a.toml", "[tool.1]\n", "tool.1.length: is missing"),
         ("a.toml", "[tool.1]\nlength = 80000.0\n", "a length in mm"),
         ("a.toml", "[tool.1]\nlength = 80.0\noffset = [1, 2]\nwidth = 3\n", "width"),
+        (
+            "a.toml",
+            '[tool.1]\nlength = 8.0\nname = "A"\n[tool.2]\nlength = 9.0\nname = "a"\n',
+            "the name of another tool",
+        ),
+        ("a.toml", "[tool.1]\nlength = 8.0\nname = 7\n", "tool.1.name: is 7; a text in quotes"),
         ("a.tbl", "T1 Z80.0\nT1 Z80.0\n", "line 2: T1 is there twice"),
         ("a.tbl", "POC FMS LEN\n1 1 3.0\n", "line 1"),
         ("a.tbl", "T1 Z80000.0\n", "a table in mm"),

@@ -1,20 +1,19 @@
 """`trueaxis compensate`: an NC program in, the same with compensated positions out."""
 
 import argparse
-import re
 from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
 from trueaxis.cli.arguments import file_to_write, misfit_option, option, positive, size, uncertain_option
 from trueaxis.cli.draws import add_draws, draws_of
+from trueaxis.cli.program_values import codes, g_codes, offset, point, start, touched_off
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
-from trueaxis.compensation.offsets import Offsets, Range, offset_of_option, read_offsets, with_options
+from trueaxis.compensation.offsets import Offsets, read_offsets, with_options
 from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensation.tools import read_tools
-from trueaxis.compensation.touched_off import TouchedOff, touched_off_of_option
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
@@ -122,9 +121,9 @@ def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
                         "(default %(default)s)")  # fmt: skip
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
                         help="choice of words, see below (default %(default)s)")  # fmt: skip
-    parser.add_argument("--ball", type=_point, metavar="X,Y,Z",
+    parser.add_argument("--ball", type=point, metavar="X,Y,Z",
                         help="centre of the workpiece ball, workpiece frame, for E of Eq. (6)")  # fmt: skip
-    parser.add_argument("--tool-point", type=_point, default=default.tool_point, metavar="X,Y,Z",
+    parser.add_argument("--tool-point", type=point, default=default.tool_point, metavar="X,Y,Z",
                         help="point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
     parser.add_argument("--orientation", choices=("keep", "correct"), default=default.orientation,
                         help="correct with the linear axes alone, or turn rotary axes too so that the tool axis points "
@@ -132,13 +131,13 @@ def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--orientation-tolerance-urad", type=float, default=default.orientation_tolerance_urad,
                         metavar="URAD", help="largest error of the tool axis allowed with --orientation correct "
                         "(default %(default)g)")  # fmt: skip
-    parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
+    parser.add_argument("--tool-axis", type=point, default=default.tool_axis, metavar="X,Y,Z",
                         help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
 
 
 def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
     """What the program does not say of itself: where and when it runs, and on which control."""
-    parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
+    parser.add_argument("--start", type=start, default={}, metavar="X0Y0Z0",
                         help="axis positions before the first block, in machine coordinates "
                         "(default: not known)")  # fmt: skip
     parser.add_argument("--temperature", type=float, metavar="C",
@@ -160,21 +159,28 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--peck-return", type=float, default=default.peck_return, metavar="MM",
                         help="how far G73 and G83 go back, and before the cut goes on, where they are written out "
                         "(default %(default)s, as on LinuxCNC)")  # fmt: skip
-    parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
+    parser.add_argument(
+        "--pass-g",
+        type=g_codes,
+        default=(),
+        metavar="187,103",
+        help="G codes, unknown to the program, that move no axis and change no mode on this control",
+    )
+    parser.add_argument("--pass-m", type=codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control; 0, 1 or 6: where axes stay "
                         "at stops or tool changes, so that they need not be commanded again")  # fmt: skip
 
 
 def _add_frames(parser: argparse.ArgumentParser) -> None:
     """Work offsets and tools of the control."""
-    parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
+    parser.add_argument("--offset", type=offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
                         help="machine position of the zero of a work offset, mm and deg; once for each. A few mm off "
                         "change little, and the report says how much; --touched-off says how it was set. A range like "
                         "X0:500 asks for the worst case")  # fmt: skip
     parser.add_argument("--offsets", type=Path, metavar="FILE",
                         help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]; --via-linuxcnc reads "
                         "all parameters of the .var")  # fmt: skip
-    parser.add_argument("--touched-off", type=_touched_off, action="append", default=[],
+    parser.add_argument("--touched-off", type=touched_off, action="append", default=[],
                         metavar="G54[=X..,Y..,Z..,L..]",
                         help="a work offset that was touched off without compensation: the part is then right against "
                         "its datum. X.. Y.. Z..: where the axes stood, if not at its zero; L: length of the probe. "
@@ -201,47 +207,6 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
     misfit_option(parser)
     uncertain_option(parser, "the program")
     add_draws(parser, of_program=True)
-
-
-def _point(text: str) -> tuple[float, float, float]:
-    parts = text.split(",")
-    if len(parts) != 3:
-        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z")
-    try:
-        x, y, z = map(float, parts)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z") from None
-    return x, y, z
-
-
-def _codes(text: str) -> tuple[int, ...]:
-    if not re.fullmatch(r"[Mm]?\d{1,6}(,[Mm]?\d{1,6})*", text, re.ASCII):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a list of M codes like 70,110")
-    return tuple(sorted({int(code.lstrip("Mm")) for code in text.split(",")}))
-
-
-def _start(text: str) -> dict[str, float]:
-    compact = re.sub(r"[\s,]", "", text.upper())
-    if not re.fullmatch(r"([XYZABC][-+]?(\d+\.?\d*|\.\d+))+", compact):
-        raise argparse.ArgumentTypeError(f"{text!r} is not like X0Y0Z100")
-    found = re.findall(r"([XYZABC])([-+.\d]+)", compact)
-    if len(dict(found)) != len(found):
-        raise argparse.ArgumentTypeError(f"{text!r} names an axis twice")
-    return {axis: float(value) for axis, value in found}
-
-
-def _offset(text: str) -> tuple[str, dict[str, Range]]:
-    try:
-        return offset_of_option(text)
-    except ValueError as problem:
-        raise argparse.ArgumentTypeError(str(problem)) from None
-
-
-def _touched_off(text: str) -> TouchedOff:
-    try:
-        return touched_off_of_option(text)
-    except ValueError as problem:
-        raise argparse.ArgumentTypeError(str(problem)) from None
 
 
 def _settings(args: argparse.Namespace) -> Settings:

@@ -7,8 +7,9 @@ A program goes through these stages, a bounded batch of blocks at a time:
     nc_reader, klartext_reader, apt_reader
                 lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_runs
                 (most blocks, many at once, by plain_text; their arcs by nc_run_arcs), nc_lexer (words; siemens for
-                SINUMERIK), nc_block (what they ask for, by nc_codes), nc_modes, nc_frames (work offsets), nc_tools,
-                nc_motion, nc_cycles (what holes become: cycle_blocks)
+                SINUMERIK), nc_block (what they ask for, by nc_codes and m_codes), nc_modes, nc_frames (work offsets),
+                nc_tools, nc_motion, nc_cycles (what holes become: cycle_blocks). Of Klartext: klartext_blocks,
+                klartext_tools, klartext_arcs
     columns     moves read together, and arcs, many at once
     nc_state    modes in force, and which axes the program has put where they stand (tool changes and stops undo it);
                 the others are held: they get no word, nor does one that was commanded in another frame

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation import m_codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import STOP, TOOL_CHANGE, Notes
 from trueaxis.compensation.nc_state import CommandedAxes
@@ -258,14 +258,14 @@ def follow_codes(
     """Follow the M codes of a block; returns whether one ends the program."""
     given = [int(code) for code in _M_CODE.findall(block)]
     for code in given:
-        if problem := codes.problem_of(code, settings.pass_m, settings.dialect):
+        if problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
             faults.add(line, *problem)
-        elif codes.vouched_for(code, settings.pass_m):
+        elif m_codes.vouched_for(code, settings.pass_m):
             notes.pass_code(line, code)
-        elif code == codes.TOOL_CHANGE:
+        elif code == m_codes.TOOL_CHANGE:
             notes.add(line, TOOL_CHANGE)
             commanded.displace()
-        elif code in codes.STOPS:
+        elif code in m_codes.STOPS:
             notes.add(line, STOP)
             commanded.stop()
-    return not codes.END.isdisjoint(given)
+    return not m_codes.END.isdisjoint(given)

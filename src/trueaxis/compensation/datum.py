@@ -122,11 +122,17 @@ class Zero:
         if max(map(abs, self.off)) < _SEEN:
             return f"at the zero of {system} the error values displace the tool point by less than {_SEEN * 1e3:g} um"
         at = " ".join(f"{axis}{value:.9g}" for axis, value in self.at.items())
-        option = f"{OPTION} {system.replace(' ', '')}" + (f"=L{self.length:g}" if self.length else "")
+        option = f"{OPTION} {system.replace(' ', '')}"
+        given = (
+            f"{option}=L{self.length:g}, the length being that of the tool which the program uses first: give that of "
+            "the probe or tool that touched it off"
+            if self.length
+            else f"{option}, with =L.. and the length of the probe or tool, if --tool-point is not its tip"
+        )
         return (
             f"at the zero of {system} ({at}) the error values displace the tool point by {named} um. If {system} was "
             f"touched off there without compensation, the whole part comes to lie {back} um off its datum: say "
-            f"{option}. If it was set with compensated positions, it is right as it is"
+            f"{given}. If it was set with compensated positions, it is right as it is"
         )
 
 

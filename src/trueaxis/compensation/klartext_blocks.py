@@ -1,18 +1,17 @@
 """One block of a Heidenhain Klartext program: its verb, its words and the text around them; what blocks that are no
-path function do to positions; TOOL CALL and TOOL DEF.
+path function do to positions.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation import m_codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_lexer import NUMBER, decimals_of
-from trueaxis.compensation.settings import MM_PER_INCH, Settings
-from trueaxis.compensation.tools import ToolTable
+from trueaxis.compensation.nc_lexer import NUMBER, decimal_comma, decimals_of
+from trueaxis.compensation.settings import Settings
 
 _HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")
 _VERB = re.compile(r"(LP|LN|LT|L|CC|CP|CR|CTP|CT|C)(?=[ \t]|$|[XYZ][-+.0-9])", re.IGNORECASE)
@@ -22,9 +21,10 @@ _RADIUS = re.compile(r"R([-+](?:\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
 _SIDE = re.compile(r"R[0LR](?![\w.])", re.IGNORECASE)
 _FEED = re.compile(r"F[ \t]*+(?:(MAX|AUTO)|(\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
 _CODE = re.compile(r"M[ \t]*+(\d++)(?![\w.])", re.IGNORECASE)
+_RETRACTION = re.compile(r"MB[ \t]*+(?:MAX|\+?(?:\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
 _LONG = re.compile(r"(?<![\d.])\d{10,}")
 _BLANK = re.compile(r"[ \t]++")
-MACHINE_COORDINATES = 91
+MACHINE_COORDINATES, RETRACT = 91, 140
 PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
 NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 
@@ -42,7 +42,8 @@ class KlartextBlock(NamedTuple):
 
     head: block number and blanks before it; optional: `/` of an optional block; others: the words that are no
     coordinates, as written; comment: from `;` on. direction: +1 for DR+, -1 for DR-, 0: none. radius: of CR, with sign.
-    feed: mm/min or 0.1 inch/min, None: no F; rapid: FMAX. side: R0, RL, RR or empty. problem: what is wrong with it.
+    feed: mm/min or 0.1 inch/min, None: no F; rapid: FMAX. side: R0, RL, RR or empty. retracts: M140 MB
+    MAX or MB+50: along the tool axis, out of what is cut. problem: what is wrong with it.
     """
 
     verb: str = ""
@@ -54,6 +55,7 @@ class KlartextBlock(NamedTuple):
     feed: float | None = None
     rapid: bool = False
     side: str = ""
+    retracts: bool = False
     codes: tuple[int, ...] = ()
     others: tuple[str, ...] = ()
     comment: str = ""
@@ -84,7 +86,7 @@ def lex_klartext(body: str) -> KlartextBlock:
     coordinates: dict[str, Coordinate] = {}
     codes: list[int] = []
     others: list[str] = []
-    direction, radius, feed, rapid, side, problem = 0, None, None, False, "", ""
+    direction, radius, feed, rapid, side, retracts, problem = 0, None, None, False, "", False, ""
     place = verb.end()
     while place < len(text) and not problem:
         if found := _BLANK.match(text, place):
@@ -108,18 +110,25 @@ def lex_klartext(body: str) -> KlartextBlock:
         elif found := _CODE.match(text, place):
             codes.append(int(found[1]))
             others.append(found[0])
+        elif RETRACT in codes and (found := _RETRACTION.match(text, place)):
+            retracts = True
+            others.append(found[0])
         else:
-            problem = f"{text[place : place + 20].strip()!r} is no word whose value is in the program"
+            problem = decimal_comma(text, place)
+            problem = problem or f"{text[place : place + 20].strip()!r} is no word whose value is in the program"
             break
         place = found.end()
     return KlartextBlock(
-        verb[1].upper(), head, optional, coordinates, direction, radius, feed, rapid, side, tuple(codes),
+        verb[1].upper(), head, optional, coordinates, direction, radius, feed, rapid, side, retracts, tuple(codes),
         tuple(others), sign + comment, problem,
     )  # fmt: skip
 
 
 def codes_alone(content: str) -> KlartextBlock | None:
     """A block of M codes without a path function."""
+    if (alone := content.strip().upper()).startswith(f"M{RETRACT} "):
+        retracting = lex_klartext(f"L {alone}")
+        return retracting._replace(verb="") if not retracting.coordinates else None
     words = content.split()
     if not words or not all(word[0] in "Mm" and word[1:].isdigit() for word in words):
         return None
@@ -225,70 +234,16 @@ def _shift(values: str) -> Other:
     return Other(shift=shift, added=frozenset(added))
 
 
-_CALL = re.compile(r"TOOL[ \t]+CALL\b[ \t]*(.*)", re.IGNORECASE)
-_DEFINITION = re.compile(rf"TOOL[ \t]+DEF[ \t]+(\d+)[ \t]+L[ \t]*({NUMBER})(?:[ \t]+R[ \t]*{NUMBER})?", re.IGNORECASE)
-_SAME = 1e-6  # mm
-NO_DEFINITION = ("no TOOL DEF", "")
-_NUMBER = re.compile(r"\d+(?=[ \t]|$)")
-_WORD = re.compile(
-    r"(?:([XYZUVW])(?=[ \t]|$)|S[ \t]*[\d.]+|F[ \t]*[\d.]+|(D[LR]2?)[ \t]*([-+]?[\d.]+))[ \t]*", re.IGNORECASE
-)
-
-
-class ToolCall(NamedTuple):
-    """tool: its number; None where the call changes speed or feed alone. problems: (problem, remedy) of its words."""
-
-    tool: int | None
-    problems: tuple[tuple[str, str], ...] = ()
-
-
-def tool_call(content: str) -> ToolCall | None:
-    """What a block calls; None if it is no TOOL CALL."""
-    match = _CALL.fullmatch(content.strip())
-    if match is None:
-        return None
-    rest, problems = match[1].strip(), []
-    number = _NUMBER.match(rest)
-    rest = rest[number.end() :].strip() if number else rest
-    while rest:
-        word = _WORD.match(rest)
-        if word is None:
-            problems.append(
-                (f"{rest[:20]!r} in TOOL CALL is not followed", "the number of the tool, its axis, S and F")
-            )
-            break
-        if (word[1] or "Z").upper() != "Z":
-            problems.append((f"the tool axis {word[1]} is not followed", "TOOL CALL with the tool axis Z"))
-        if word[2] and word[2].upper() == "DL" and float(word[3]) != 0.0:
-            problems.append(("DL changes the length of the tool", "the length that results, in --tools"))
-        rest = rest[word.end() :]
-    return ToolCall(int(number[0]) if number else None, tuple(problems))
-
-
-def definition_differs(content: str, tools: ToolTable | None, inch: bool) -> tuple[str, str]:
-    """What is wrong with the length that a block of TOOL DEF gives, and what would be right; empty if nothing is,
-    NO_DEFINITION if it is no such block.
-    """
-    match = _DEFINITION.fullmatch(content.strip())
-    if match is None:
-        return NO_DEFINITION
-    number, length = int(match[1]), float(match[2]) * (MM_PER_INCH if inch else 1.0)
-    tool = None if tools is None else tools.tools.get(number)
-    if tool is not None and abs(tool.shift[2] - length) < _SAME:
-        return "", ""
-    known = "has no such tool" if tool is None else f"says {tool.shift[2]:g}"
-    return (
-        f"TOOL DEF gives tool {number} the length {length:g} mm, and --tools {known}",
-        f"[tool.{number}] with length = {length:g}, and point where that is not its length from the spindle",
-    )
-
-
-def known_codes(number: int, given: Iterable[int], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+def known_codes(number: int, block: KlartextBlock, settings: Settings, faults: FaultLog, notes: Notes) -> None:
     """Faults of M codes that are not known, and what the user vouches for."""
-    for code in given:
-        if code == MACHINE_COORDINATES or code in codes.POINT_CONTROL["heidenhain"]:
+    if block.retracts and block.coordinates:
+        faults.add(number, "M140 and a position in one block", "a block for each")
+    for code in block.codes:
+        if code == MACHINE_COORDINATES or code in m_codes.POINT_CONTROL["heidenhain"]:
             continue
-        if problem := codes.problem_of(code, settings.pass_m, "heidenhain"):
+        if code == RETRACT and block.retracts:
+            continue
+        if problem := m_codes.problem_of(code, settings.pass_m, "heidenhain"):
             faults.add(number, *problem)
-        elif codes.vouched_for(code, settings.pass_m):
+        elif m_codes.vouched_for(code, settings.pass_m):
             notes.pass_code(number, code)

@@ -6,28 +6,27 @@ What is not followed is a fault of its line. Frames, tools and where axes stand 
 import math
 from collections.abc import Iterable, Iterator
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.arcs import Arc, ArcError
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensation.klartext_blocks import (
     MACHINE_COORDINATES,
-    NO_DEFINITION,
     NO_PRESET,
     PRESET,
     KlartextBlock,
     Other,
-    ToolCall,
     codes_alone,
-    definition_differs,
     head_of,
     known_codes,
     lex_klartext,
     other_block,
     too_long,
-    tool_call,
 )
+from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.machine import LINEAR, ROTARY
 from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc_frames import FrameReader
@@ -38,8 +37,7 @@ from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, sta
 from trueaxis.compensation.nc_tools import ToolReader
 from trueaxis.compensation.settings import Settings
 
-_RETRACT = 140  # M140 MB MAX: along the tool axis to the end of the travel
-_POINT_CONTROL = codes.POINT_CONTROL["heidenhain"]
+_POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
 _ARCS = frozenset({"C", "CR", "CP"})
 _POLAR = frozenset({"LP", "CP"})
 
@@ -153,11 +151,11 @@ class KlartextReader:
     def _tool(self, number: int, text: str, call: ToolCall) -> list[Item]:
         for problem, remedy in call.problems:
             self._faults.add(number, problem, remedy)
-        if call.tool is not None:
-            meaning = Meaning(tool=f"T{call.tool}")
-            self._tools.change(number, meaning)
-            code = codes.TAKE_LENGTH if call.tool else codes.END_LENGTH
-            self._tools.length(number, Meaning(length_code=code, length_of=call.tool))
+        tool = self._tools.number_of(number, call.name) if call.name else call.tool
+        if tool is not None:
+            self._tools.change(number, Meaning(tool=f"T{tool}"))
+            code = codes.TAKE_LENGTH if tool else codes.END_LENGTH
+            self._tools.length(number, Meaning(length_code=code, length_of=tool))
         return [text, *self._frames.changed()]
 
     def _path(self, number: int, text: str, block: KlartextBlock) -> list[Item]:
@@ -168,7 +166,7 @@ class KlartextReader:
             self._faults.add(
                 number, f"{block.side} compensates the cutter's radius", "have the path of its centre written"
             )
-        known_codes(number, block.codes, self._settings, self._faults, self._notes)
+        known_codes(number, block, self._settings, self._faults, self._notes)
         state = self._state
         item: Item = text
         control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
@@ -183,14 +181,12 @@ class KlartextReader:
         elif not block.problem and block.verb:
             item = self._moved(number, text, block) or text
         items += self._framed(item, text)
-        if _RETRACT in block.codes and "Z" in state.row:
-            row = state.row["Z"]
-            state.position[row] = None
-            state.commanded.lose([row])
-            items.append(Start(tuple(math.nan if n == row else None for n in range(len(self._axes)))))
-        if any(codes.may_move(code, self._settings.pass_m) for code in block.codes):
+        if block.retracts:
+            moved = LINEAR if set(ROTARY) & state.row.keys() else ("Z",)
+            items.append(state.lose([row for axis, row in state.row.items() if axis in moved]))
+        if any(m_codes.may_move(code, self._settings.pass_m) for code in block.codes):
             self._stop(number)
-        if codes.END.intersection(block.codes):
+        if m_codes.END.intersection(block.codes):
             state.ended = number
         return items
 
@@ -284,13 +280,14 @@ class KlartextReader:
         eol = text[len(text.rstrip("\r\n")) :]
         again = f"{block.head}{block.optional}"
         lead = f"{again}L "
-        last = [word for word in block.others if word[0] in "Mm" and int(word[1:]) in codes.AFTER]
+        codes_of = {word: int(word[1:]) for word in block.others if word[0] in "Mm" and word[1:].strip().isdigit()}
+        last = [word for word in block.others if codes_of.get(word) in m_codes.AFTER]
         tail = "".join(f" {word}" for word in block.others)
         kept = "".join(f" {word}" for word in block.others if word not in last)
         comment = f" {block.comment}" if block.comment else ""
         split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
         kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
-        stops = any(code in codes.AFTER for code in block.codes)
+        stops = any(code in m_codes.AFTER for code in block.codes)
         rounded = None if arc is None or self._settings.arcs != "keep" else as_arc(block)
         return Move(
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",

@@ -121,16 +121,19 @@ def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: Fl
     if positions is path.points:
         outside &= path.points != path.origins
     points, lines = np.flatnonzero(outside.any(axis=0)), moves.lines
+    shift = moves.shift if points.size else np.zeros((0, 0))
     for point in points[np.unique(owner[points], return_index=True)[1]]:
         row = int(np.argmax(outside[:, point]))
         axis, line = model.axes[row], int(lines[owner[point]])
         if faults.unplaced is not None and line >= faults.unplaced:
             return
         faults.outside[axis] += 1
+        offset = float(shift[row, owner[point]])
         faults.add(
             line,
             f"{axis} = {positions[row, point]:g} is outside its travel",
-            f"from {low[row, 0]:g} to {high[row, 0]:g}",
+            f"from {low[row, 0]:g} to {high[row, 0]:g}"
+            + (f"; {offset:.9g} of it are the work offset, shifts and the length of the tool" if offset else ""),
         )
 
 

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from trueaxis.compensation.canned_cycle import Cycle
 from trueaxis.compensation.machine import FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Kind, Notes
-from trueaxis.compensation.nc_state import Cycle
 from trueaxis.compensation.path import Held, MoveTable, alike
 from trueaxis.compensation.settings import Settings
 
@@ -50,5 +50,5 @@ def notes_of_cycle(cycle: Cycle, settings: Settings) -> Iterator[str]:
     yield WRITTEN_OUT
     if cycle.pecks:
         yield PECKS.format(settings.peck_return)
-        if cycle.z is not None and cycle.r is not None and cycle.peck >= (cycle.r if cycle.absolute else 0.0) - cycle.z:
+        if cycle.in_one_peck:
             yield ONE_PECK

@@ -1,5 +1,6 @@
 """Sorts the words of one NC block by what they do."""
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.machine import LINEAR, ROTARY
 from trueaxis.compensation.nc_lexer import Block, Meaning, Word
@@ -14,6 +15,7 @@ _MACRO_CALLS = (650, 660, 661)  # G65 G66 G66.1: the other words are arguments
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 TO_PLC = "goes to the machine's own control (PLC), and is taken to move no axis"
+_OF_PASSED = frozenset("NDEHLPQR")
 _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
 # what a code sets of a Meaning, and to what
 _SETTING: dict[int, tuple[str, int | bool | str]] = {
@@ -59,7 +61,8 @@ def interpret(
     meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
     centre = any(word.letter in _CENTRE for word in others)
     meaning.turns = settings.dialect == "linuxcnc" and centre and meaning.motion in (None, 2, 3)
-    for word in others:
+    alone = bool(meaning.passed) and {word.letter for word in others} <= _OF_PASSED
+    for word in () if alone else others:
         _other(word, meaning, machine_axes, settings.dialect == "siemens")
     if meaning.frame and meaning.data:
         meaning.complain(meaning.frame, codes.MACHINE_REMEDY)
@@ -73,10 +76,22 @@ def interpret(
         and (meaning.parameters or meaning.motion is not None)
     ):
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
+    _passed(meaning, alone and len(block.words) == len(others) + 1)
     _cancels(meaning)
     _look_ahead(meaning, settings)
     _on_linuxcnc(meaning, settings.dialect)
     return meaning
+
+
+def _passed(meaning: Meaning, alone: bool) -> None:
+    """A code that the user vouches for; alone: with words only that may belong to it."""
+    if not meaning.passed or meaning.complaints:
+        return
+    if alone:
+        meaning.notes.append(f"{meaning.passed} passes as --pass-g says: it moves no axis and changes no mode")
+    else:
+        beside = f"{meaning.passed}, which --pass-g names, beside axis words or other codes"
+        meaning.complain(beside, "a block of its own")
 
 
 def _on_linuxcnc(meaning: Meaning, dialect: str | None) -> None:
@@ -87,12 +102,12 @@ def _on_linuxcnc(meaning: Meaning, dialect: str | None) -> None:
         meaning.drilling = meaning.cycle is not None or meaning.positions or bool(meaning.data)
         if meaning.drilling:
             meaning.complain("G64 in the block of a cycle: whose P and Q are is not determined", "make it two blocks")
-    if codes.TOOL_NUMBER not in meaning.miscellaneous:
+    if m_codes.TOOL_NUMBER not in meaning.miscellaneous:
         return
     number = meaning.parameters.get("Q", -1.0)
     if number < 0.0 or number != int(number):
         meaning.complain("M61 without the number of the tool in the spindle", "M61 Q1")
-    elif codes.TOOL_CHANGE in meaning.miscellaneous:
+    elif m_codes.TOOL_CHANGE in meaning.miscellaneous:
         meaning.complain("M6 and M61 in one block")
     else:
         meaning.in_spindle = int(number)
@@ -109,7 +124,7 @@ def _look_ahead(meaning: Meaning, settings: Settings) -> None:
         given = name if value is None else f"{name} {letter}{value:g}"
         right = " or ".join(f"{name} {letter}{one:g}" for one in sorted(values))
         meaning.complain(f"{given} is not known to leave positions as they are", right)
-    elif meaning.positions or set(meaning.parameters) - {letter}:
+    elif meaning.positions or set(meaning.parameters) - {letter, "R"}:
         meaning.complain(f"other words beside {name} {letter}{value:g}", "a block of its own, without axis words")
     elif value:
         meaning.notes.append(f"{name} {letter}{value:g}: {codes.ROUNDS}")
@@ -151,7 +166,9 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
     elif code not in codes.HARMLESS | codes.HARMLESS_ON.get(dialect, frozenset()) and code != codes.RESTORE_SHIFT:
-        meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
+        meaning.passed = name
+        if value not in settings.pass_g:
+            meaning.complain(f"{name} is not a known code", codes.PASS_G.format(f"{value:g}"))
     meaning.codes.add(codes.SAME_ON.get(dialect, {}).get(code, code))
 
 
@@ -185,9 +202,9 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
     code = int(value)
     if code != value or code < 0:
         meaning.complain(f"M{value:g} is not a code")
-    elif code in codes.POINT_CONTROL.get(settings.dialect or "", {}):
-        meaning.point_control = codes.POINT_CONTROL[settings.dialect or ""][code]
-    elif problem := codes.problem_of(code, settings.pass_m, settings.dialect):
+    elif code in m_codes.POINT_CONTROL.get(settings.dialect or "", {}):
+        meaning.point_control = m_codes.POINT_CONTROL[settings.dialect or ""][code]
+    elif problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
         meaning.complain(*problem)
     meaning.miscellaneous.append(code)
 
@@ -195,7 +212,7 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...], edges: bool) -> None:
     """A word that is no code; edges: whether D selects an edge of the tool."""
     letter = word.letter
-    if letter in _PARAMETERS or (letter == "K" and meaning.drilling):
+    if letter in _PARAMETERS or (letter == "K" and meaning.drilling) or (letter == "R" and meaning.look_ahead):
         meaning.parameters[letter] = word.value
     if meaning.dwell and letter in _DWELL:
         return
@@ -208,7 +225,7 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...], edges: b
     elif letter == "R" and (meaning.data_code is not None or meaning.drilling):
         meaning.data[letter] = word.value
         _number(word, meaning)
-    elif letter == "R":
+    elif letter == "R" and not meaning.look_ahead:
         meaning.radius = word.value
         _number(word, meaning)
     elif letter in _CENTRE and not (letter == "K" and meaning.drilling):
@@ -237,7 +254,7 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
         )
     elif letter in _PARAMETERS and not _takes(letter, meaning):
         meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
-    elif letter not in _HARMLESS and letter != "K":
+    elif letter not in _HARMLESS and letter not in "KR":
         meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
     if letter == "Q" and meaning.drilling:
         _number(word, meaning)

@@ -1,10 +1,10 @@
 """Canned cycles of an NC program, written out as rapids and lines."""
 
-import math
 from collections.abc import Hashable, Iterator
 from dataclasses import replace
 
 from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.canned_cycle import Cycle, peck_in_doubt
 from trueaxis.compensation.cycle_blocks import (
     DWELL,
     DWELLING,
@@ -20,15 +20,16 @@ from trueaxis.compensation.cycle_blocks import (
 )
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
-from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes, Start
+from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
 from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_state import Commanded, Cycle, NcState
+from trueaxis.compensation.nc_state import Commanded, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
 OWN_WORDS = "G80 before it, or P and Q (0 for none) in the block"
+WHOLE_PECK = "Q with a decimal point: without one some controls count it in steps of 0.001 mm whatever --integers says"
 Z_AND_R = "both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
 
 
@@ -71,7 +72,7 @@ class CycleReader:
             return self._stored(number, line, body, block, meaning, again)
         if cycle.code in self._kept:
             return self._kept_hole(number, line, body, block, meaning, cycle)
-        self._note(number, cycle)
+        self.note_holes(number)
         writer = self._writer(number, line, body, block, again)
         if exact := self._modes.drill_exactly(number):
             writer.say(exact)
@@ -102,6 +103,7 @@ class CycleReader:
             z=meaning.axes.get(self._depth, cycle.z),
             r=meaning.data.get("R", cycle.r),
             peck=meaning.parameters.get("Q", cycle.peck),
+            whole_peck="Q" in meaning.undotted if "Q" in meaning.parameters else cycle.whole_peck,
             dwell=texts.get("P", cycle.dwell),
         )
 
@@ -121,8 +123,7 @@ class CycleReader:
 
     def _frame(self) -> Hashable:
         """The frame of the axis that drills."""
-        row = self._state.row.get(self._depth)
-        return None if row is None else self._state.frames.ids[row]
+        return None if (row := self._state.row.get(self._depth)) is None else self._state.frames.ids[row]
 
     def _problem(self, cycle: Cycle, named: set[str], meaning: Meaning) -> tuple[str, str] | None:
         """What is wrong with a block of a cycle."""
@@ -137,6 +138,7 @@ class CycleReader:
             (not named, f"{name} without X, Y or Z: whether it drills differs by control", "X or Y in the block"),
             (cycle.z is None or cycle.r is None, f"{name} without Z and R", Z_AND_R),
             (cycle.pecks and not cycle.peck > 0.0, f"{name} without Q above 0", "the depth of a peck"),
+            (peck_in_doubt(cycle, self._settings), f"{name} Q{cycle.peck:g} is deeper than the hole", WHOLE_PECK),
             (repeats is None, f"L or K of {name} is no number of repeats", f"from 1 to {MOST_REPEATS}"),
             *self._kept_problems(cycle, repeats),
             (cycle.code == 860 and not state.spindle, "G86 while the spindle is not known to turn", "M3 or M4 before"),
@@ -219,10 +221,7 @@ class CycleReader:
         items: list[Item] = [line] if self._state.cycle and self._state.cycle.code in self._kept else writer.alone()
         if not rows:
             return items
-        for row in rows:  # whether they are gone to differs by control
-            self._state.position[row] = None
-        self._state.commanded.lose(rows)
-        return [*items, Start(tuple(math.nan if row in rows else None for row in range(len(self._state.axes))))]
+        return [*items, self._state.lose(rows)]  # whether they are gone to differs by control
 
     def _kept_hole(self, number: int, line: str, body: str, block: Block, meaning: Meaning, cycle: Cycle) -> list[Item]:
         """A hole that the control makes by its own cycle, at corrected words."""
@@ -289,12 +288,8 @@ class CycleReader:
         down: list[tuple[Kind | str, float]] = [(Kind.RAPID, r)] if clear != r else []
         return Hole(state.row[self._depth], clear, (*down, *self._steps(cycle, r, bottom, clear)))
 
-    def note_further(self, number: int, holes: int) -> None:
-        """Note further holes from a line on."""
-        if self._state.cycle is not None:
-            self._note(number, self._state.cycle, holes)
-
-    def _note(self, number: int, cycle: Cycle, holes: int = 1) -> None:
-        """Note holes that are written out."""
-        for text in notes_of_cycle(cycle, self._settings):
-            self._notes.add(number, text, holes)
+    def note_holes(self, number: int, holes: int = 1) -> None:
+        """Note holes that are written out, from a line on."""
+        if (cycle := self._state.cycle) is not None:
+            for text in notes_of_cycle(cycle, self._settings):
+                self._notes.add(number, text, holes)

@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.machine import ROTARY
 from trueaxis.compensation.moves import Split
@@ -23,6 +24,7 @@ _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
 _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
 
 
+_COMMA = re.compile(r"\d,\d")
 _CORNER = re.compile(r",[ \t]*+[RC]", re.IGNORECASE)
 _NAME = re.compile(r"[A-Za-z_]{2}\w*+:?")
 
@@ -61,8 +63,7 @@ def lex(body: str, begin: int = 0) -> Block:
         if token is None:
             return Block(tuple(words), _complaint(body, place), _is_macro(body, place))
         if token[2]:
-            value = float(token[3])
-            if abs(value) > LARGEST:
+            if abs(value := float(token[3])) > LARGEST:
                 return Block(tuple(words), beyond(token[2], token[3]))
             words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))
         elif token[4] and (problem := active_comment(token[4], bool(words))):
@@ -78,8 +79,12 @@ def beyond(letter: str, number: str) -> str:
 
 def decimals_of(number: str) -> int | None:
     """Digits after the decimal point of a number as written; None where there is none."""
-    _, dot, part = number.partition(".")
-    return len(part) if dot else None
+    return len(number.partition(".")[2]) if "." in number else None
+
+
+def decimal_comma(body: str, place: int) -> str:
+    """What is wrong where a number has a decimal comma there; empty if it has none."""
+    return "a number with a decimal comma: write a decimal point" if _COMMA.match(body, max(place - 1, 0)) else ""
 
 
 def active_comment(text: str, after_words: bool) -> str:
@@ -96,24 +101,26 @@ def _is_macro(body: str, place: int) -> bool:
 
 
 def _complaint(body: str, place: int) -> str:
-    column = f"column {place + 1}"
+    return f"column {place + 1}: {decimal_comma(body, place) or _wrong(body, place)}"
+
+
+def _wrong(body: str, place: int) -> str:
     sign = body[place]
     if sign == "(":
-        return f"{column}: a comment that is not closed, or holds another"
+        return "a comment that is not closed, or holds another"
     if _is_macro(body, place):
-        return f"{column}: {body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
+        return f"{body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
     if word := _NAME.match(body, place):
-        return f"{column}: {word[0]!r} is no address with its number"
+        return f"{word[0]!r} is no address with its number"
     if sign.isascii() and sign.isalpha():
-        return f"{column}: address {sign} without a number"
+        return f"address {sign} without a number"
     if _CORNER.match(body, place):
-        return f"{column}: {body[place : place + 10]!r} rounds or chamfers a corner: write it as an arc or a line"
-    return f"{column}: {sign!r} does not belong in a block"
+        return f"{body[place : place + 10]!r} rounds or chamfers a corner: write it as an arc or a line"
+    return f"{sign!r} does not belong in a block"
 
 
-FeedMode = Literal[
-    "minute", "turn", "time"
-]  # F counts mm/min (deg/min), by turns of the spindle, or 1/min of the block
+# F counts mm/min (deg/min), by turns of the spindle, or 1/min of the block
+FeedMode = Literal["minute", "turn", "time"]
 
 
 @dataclass(slots=True, kw_only=True)
@@ -129,9 +136,9 @@ class Meaning:
     look_ahead: a code (times ten) of looking ahead, 0: none. turns: whether P counts turns of an arc (LinuxCNC).
     point_control: whether it switches tool centre point control on or off.
     ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
-    would be no shift; notes: remarks on the block.
-    tool: the T word, as `T2`. changes_tool: whether the block may change the tool, see tool_changes. in_spindle: the
-    tool that it says to be in the spindle (M61 of LinuxCNC).
+    would be no shift; notes: remarks on the block. passed: a G code that is not known.
+    tool: the T word, as `T2`; tool_name: of a tool that is called by its name. changes_tool: whether the block may
+    change the tool, see tool_changes. in_spindle: the tool that it says to be in the spindle (M61 of LinuxCNC).
     """
 
     motion: int | None = None
@@ -150,6 +157,7 @@ class Meaning:
     radius: float | None = None
     program_number: bool = False
     tool: str = ""
+    tool_name: str = ""
     changes_tool: bool = False
     in_spindle: int | None = None
     undotted: set[str] = field(default_factory=set)
@@ -168,6 +176,7 @@ class Meaning:
     turns: bool = False
     ways: dict[str, bool] = field(default_factory=dict)
     frame: str = ""
+    passed: str = ""
     notes: list[str] = field(default_factory=list)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 
@@ -184,8 +193,8 @@ class Meaning:
     @property
     def uncertain_codes(self) -> str:
         """Codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
-        uncertain = [f"M{code}" for code in self.miscellaneous if code not in codes.OF_CERTAIN_TIMING]
-        by_tool_word = self.changes_tool and codes.TOOL_CHANGE not in self.miscellaneous
+        uncertain = [f"M{code}" for code in self.miscellaneous if code not in m_codes.OF_CERTAIN_TIMING]
+        by_tool_word = self.changes_tool and m_codes.TOOL_CHANGE not in self.miscellaneous
         return " ".join([*uncertain, *([self.tool] if by_tool_word else [])])
 
     @property
@@ -193,7 +202,7 @@ class Meaning:
         """Whether later blocks read differently after this one."""
         modes = (self.motion, self.plane, self.inch, self.absolute, self.data_code, self.length_code, self.cycle)
         shifts = self.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}
-        ends = not codes.END.isdisjoint(self.miscellaneous)
+        ends = not m_codes.END.isdisjoint(self.miscellaneous)
         said = self.system or shifts or self.feed_mode or ends or self.at_initial_level is not None
         return self.cancel_cycle or bool(said) or any(mode is not None for mode in modes)
 
@@ -286,6 +295,6 @@ def _joined(lead: str, insert: str, gap: str) -> str:
 
 def due_at_end(word: Word) -> bool:
     """Whether a word belongs to the end of the motion of its block."""
-    return (word.letter == "M" and word.value in codes.AFTER) or (
+    return (word.letter == "M" and word.value in m_codes.AFTER) or (
         word.letter == "G" and round(word.value * 10) == EXACT_STOP
     )

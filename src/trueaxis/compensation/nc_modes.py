@@ -6,11 +6,11 @@ import math
 import re
 from collections.abc import Sequence
 
-from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation import m_codes
 from trueaxis.compensation.arcs import half_unit
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
-from trueaxis.compensation.moves import Item, Notes, Start
+from trueaxis.compensation.moves import Item, Notes
 from trueaxis.compensation.nc_lexer import Meaning, decimals_of
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
@@ -72,10 +72,10 @@ class ModeReader:
         if meaning.program_number and state.moved:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         for code in meaning.miscellaneous:
-            if codes.vouched_for(code, self._settings.pass_m):
+            if m_codes.vouched_for(code, self._settings.pass_m):
                 self._notes.pass_code(number, code)
-            if code in codes.SPINDLE:
-                state.spindle = codes.spindle_of(code)
+            if code in m_codes.SPINDLE:
+                state.spindle = m_codes.spindle_of(code)
 
     def _end_cycle(self, number: int, meaning: Meaning) -> None:
         """G80. On Fanuc it is of another group than G0 and G1, of which the one before the cycle is in force again; on
@@ -191,8 +191,4 @@ def switch(
     notes.add(number, NOTE)
     if all(state.position[row] == 0.0 for row in rotary):
         return []
-    linear = [row for row, axis in enumerate(state.axes) if axis in LINEAR]
-    for row in linear:
-        state.position[row] = None
-    state.commanded.lose(linear)
-    return [Start(tuple(math.nan if row in linear else None for row in range(len(state.axes))))]
+    return [state.lose([row for row, axis in enumerate(state.axes) if axis in LINEAR])]

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
@@ -147,7 +148,7 @@ class NcReader:
 
     def _depends(self, meaning: Meaning) -> bool:
         """Whether it matters to what follows if a block is run."""
-        tool = self._settings.tools is not None and (meaning.tool or codes.TOOL_CHANGE in meaning.miscellaneous)
+        tool = self._settings.tools is not None and (meaning.tool or m_codes.TOOL_CHANGE in meaning.miscellaneous)
         return meaning.positions or meaning.drilling or meaning.changes_modes or bool(tool)
 
     def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
@@ -171,18 +172,18 @@ class NcReader:
             items += self._motions.block(number, line, body, block, meaning, again)
         if meaning.changes_tool and self._tools.moves(meaning):  # after the motion too: controls do not agree on it
             state.commanded.displace()
-        stops = codes.STOPS.intersection(meaning.miscellaneous)
-        if any(codes.may_move(code, self._settings.pass_m) for code in stops):
+        stops = m_codes.STOPS.intersection(meaning.miscellaneous)
+        if any(m_codes.may_move(code, self._settings.pass_m) for code in stops):
             state.commanded.stop()
             self._notes.add(number, STOP)
-        if codes.END.intersection(meaning.miscellaneous):
+        if m_codes.END.intersection(meaning.miscellaneous):
             state.ended = number
         return items
 
     def _path_again(self, eol: str, meaning: Meaning) -> list[Item]:
         """The path mode of the program, where a cycle ends with this block; eol: the end of its line."""
         state = self._state
-        if state.cycle is not None and codes.END.isdisjoint(meaning.miscellaneous):
+        if state.cycle is not None and m_codes.END.isdisjoint(meaning.miscellaneous):
             return []
         again = state.path.leave_cycle(state.inch)
         return [again + (eol or "\n")] if again else []

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import BlockPlaces, PlainRun
 from trueaxis.compensation.cycle_blocks import holes_alike, holes_run
@@ -94,7 +95,7 @@ class RunReader:
     def _reading(self, number: int, text: str) -> Reading:
         """Of a text that begins with line `number`."""
         siemens = self._settings.dialect == "siemens"  # R is a variable there, and only ; begins a comment
-        lines = plain_text(text, self._settings.undotted == "mm", not siemens, self._modes, codes.SWITCHES)
+        lines = plain_text(text, self._settings.undotted == "mm", not siemens, self._modes, m_codes.SWITCHES)
         foreign = [axis for axis in ROTARY if axis not in self._state.row] + ["R"] * siemens
         plain = np.append(lines.plain, False)  # what is behind the last line end is no line
         for letter in foreign:
@@ -118,7 +119,7 @@ class RunReader:
             lines, first, last, number, (written, _positions(state, self._start(), written, given)), state, hole
         )
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
-        self._cycles.note_further(number, int(moves.sum()))
+        self._cycles.note_holes(number, int(moves.sum()))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
 
     def _alike(self, first: int, last: int) -> int:
@@ -240,9 +241,9 @@ class RunReader:
         state.gap, state.moved, state.feed = " " if run.blank[-1] else "", True, feed
         last_end = run.ends[:, -1].tolist()
         state.position = [None if before is None else end for before, end in zip(state.position, last_end, strict=True)]
-        spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in codes.SPINDLE]
+        spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in m_codes.SPINDLE]
         if spindle:
-            state.spindle = codes.spindle_of(spindle[-1])
+            state.spindle = m_codes.spindle_of(spindle[-1])
         words = slice(*lines.first[[first, last]].tolist())
         letter = lines.letter[words]
         for axis, row in state.row.items():

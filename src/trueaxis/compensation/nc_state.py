@@ -9,9 +9,11 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from enum import IntEnum
 
+from trueaxis.compensation.canned_cycle import Cycle
 from trueaxis.compensation.frames import Frames
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
+from trueaxis.compensation.moves import Start
 from trueaxis.compensation.nc_lexer import FeedMode
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.path_mode import PathMode
@@ -135,34 +137,6 @@ def _below(known: Sequence[Commanded], least: Commanded) -> tuple[bool, ...]:
     return tuple(one < least for one in known) if min(known) < least else ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Cycle:
-    """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
-    text of its P word). initial: where the drilling axis was when it began, mm, machine coordinates, None: not
-    known; frame: in which. absolute, inch: how z and r are written.
-    """
-
-    code: int
-    z: float | None = None
-    r: float | None = None
-    peck: float = 0.0
-    dwell: str = ""
-    initial: float | None = None
-    frame: Hashable = None
-    absolute: bool = True
-    inch: bool = False
-
-    @property
-    def name(self) -> str:
-        """G81 and the like."""
-        return f"G{self.code / 10:g}"
-
-    @property
-    def pecks(self) -> bool:
-        """Whether it drills in steps."""
-        return self.code in (730, 830)
-
-
 @dataclass(slots=True, kw_only=True)
 class NcState:
     """What the blocks read so far have set.
@@ -221,6 +195,13 @@ class NcState:
         """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
         self.shift = self.frames.shift_of_machine if machine else self.frames.shift
         self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
+
+    def lose(self, rows: Sequence[int]) -> Start:
+        """Axes of these rows may stand anywhere from now on."""
+        for row in rows:
+            self.position[row] = None
+        self.commanded.lose(rows)
+        return Start(tuple(math.nan if row in rows else None for row in range(len(self.axes))))
 
     @property
     def goes_on_plainly(self) -> bool:

@@ -4,6 +4,7 @@ SINUMERIK changes the tool at T where its machine data say so (MD22550), turrets
 ISO programs. Where M6 changes the tool, T before it only selects one.
 """
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
@@ -40,6 +41,9 @@ BELOW_ZERO = (
     "differences from a master tool. A length that was touched off on the workpiece holds the work offset, too: give "
     "the tool's own length and the rest as the work offset, or the tool's point in --tools"
 )
+NO_SUCH_NAME = 'no tool in --tools has the name "{}"'
+NAME_REMEDY = 'name = "{}" beside the length of the tool, in TOML'
+UNKNOWN_TOOL = -1
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -62,7 +66,7 @@ class ToolChanges:
 
     def may_change(self, number: int, meaning: Meaning) -> bool:
         """Take in a block; returns whether it may change the tool."""
-        by_m6 = codes.TOOL_CHANGE in meaning.miscellaneous
+        by_m6 = m_codes.TOOL_CHANGE in meaning.miscellaneous
         by_tool_word = self._by_tool_word and bool(meaning.tool) and not by_m6
         if by_m6:
             if self._faults is None:
@@ -102,9 +106,10 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
-        self._kept = codes.TOOL_CHANGE in settings.pass_m
+        self._kept = m_codes.TOOL_CHANGE in settings.pass_m
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults, self._kept)
         self._selected: int | None = None
+        self._told = set[int | str]()  # tools that are not in the table
         self._changed = False  # a tool has come since the last length was put in force
         self._taken = False  # the tool in the spindle is that of the first G43 H: good enough for the tip, not for H0
 
@@ -120,11 +125,13 @@ class ToolReader:
 
     def moves(self, meaning: Meaning) -> bool:
         """Whether the tool change of a block may move axes."""
-        return not self._kept or codes.TOOL_CHANGE not in meaning.miscellaneous
+        return not self._kept or m_codes.TOOL_CHANGE not in meaning.miscellaneous
 
     def change(self, number: int, meaning: Meaning) -> None:
         """Take in what a block does to the tool."""
         state = self._state
+        if meaning.tool_name:
+            meaning.tool = f"T{self.number_of(number, meaning.tool_name)}"
         meaning.changes_tool = self._changes.may_change(number, meaning)
         if meaning.tool:
             self._selected = int(float(meaning.tool[1:]))
@@ -213,10 +220,19 @@ class ToolReader:
                 lengths[state.row[axis]] = value * state.scale(axis)
         state.frames.take_length(lengths, -number)
 
+    def number_of(self, number: int, name: str) -> int:
+        """Of a tool that is called by its name; UNKNOWN_TOOL after a fault, and where tools do not count."""
+        found = None if self._table is None else self._table.number_of(name)
+        if found is None and self._table is not None and name.upper() not in self._told:
+            self._told.add(name.upper())
+            self._faults.add(number, NO_SUCH_NAME.format(name), NAME_REMEDY.format(name))
+        return UNKNOWN_TOOL if found is None else found
+
     def _tool(self, number: int, tool: int) -> Tool:
-        if tool == 0:
+        if tool in (0, UNKNOWN_TOOL):
             return Tool()
-        if self._table is not None and tool not in self._table.tools:
+        if self._table is not None and tool not in self._table.tools and tool not in self._told:
+            self._told.add(tool)
             self._faults.add(number, f"tool {tool} is not in --tools", f"add tool {tool} with its length")
         return Tool() if self._table is None else self._table.tools.get(tool, Tool())
 

@@ -47,7 +47,7 @@ class Settings:
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
-    the dialect fixes. pass_m: M codes that the user vouches for, see nc_codes.
+    the dialect fixes. pass_m, pass_g: M and G codes that the user vouches for, see m_codes.
     offsets: work offsets that are known. tools: tools that are known, None: none are. spindle_tool: the one in the
     spindle before the program, 0: none, None: not known. touched_off: work offsets that were touched off without
     compensation, see datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine
@@ -79,6 +79,7 @@ class Settings:
     dialect: Dialect | None = None
     integers: Integers | None = None
     pass_m: tuple[int, ...] = ()
+    pass_g: tuple[float, ...] = ()
     offsets: Offsets = field(default_factory=Offsets)
     tools: ToolTable | None = None
     spindle_tool: int | None = None

@@ -5,8 +5,18 @@ calls do to positions.
 import re
 from typing import NamedTuple
 
+from trueaxis.compensation import m_codes
 from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.nc_lexer import LARGEST, NUMBER, Block, Meaning, Word, beyond, decimals_of
+from trueaxis.compensation.nc_lexer import (
+    LARGEST,
+    NUMBER,
+    Block,
+    Meaning,
+    Word,
+    beyond,
+    decimal_comma,
+    decimals_of,
+)
 
 _BLANK = re.compile(r"[ \t]++")
 _COMMENT = re.compile(r";.*+")
@@ -87,7 +97,8 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
         elif (statement := _STATEMENT.match(body, place)) or not (keyword := _KEYWORD.match(body, place)):
             what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
             what = what or "is no word whose value is in the program"
-            problem = f"column {place + 1}: {body[place : place + 20]!r} {what}"
+            comma = decimal_comma(body, place)
+            problem = f"column {place + 1}: {comma or f'{body[place : place + 20]!r} {what}'}"
         else:
             name, arguments = keyword[0].upper(), _ARGUMENTS.match(body, keyword.end())
             functions.append(Function(name, arguments[0].strip() if arguments else None))
@@ -154,6 +165,7 @@ _ASSIGNED_WORDS = {
     "RP": "gives a position by its radius, which is not followed",
     **dict.fromkeys(("I1", "J1", "K1"), "gives an arc by a middle point, which is not followed"),
 }  # fmt: skip
+END_OF_TILT = "CYCLE800() ends a tilted plane, of which there is none here: it is taken to move no axis"
 _BRANCHES = frozenset("IF ELSE ENDIF FOR WHILE LOOP REPEAT GOTO GOTOF GOTOB GOTOC GOTOS".split())
 _RUN = "write the blocks that are run, in their order"
 _WRITTEN_OUT = "have its motions written out as G0, G1, G2 and G3"
@@ -180,11 +192,13 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name in _ROUNDING:
         meaning.notes.append(f"{name}: {codes.ROUNDS}")
     elif name == TOOL_BY_NAME:
-        meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
+        meaning.tool_name = (arguments or "").partition("=")[2].strip().strip('"')
+    elif name == "CYCLE800" and arguments == "()":
+        meaning.notes.append(END_OF_TILT)
     elif name in _FAULTY:
         meaning.complain(f"{name} {_FAULTY[name]}", _RUN if name in _BRANCHES else _WRITTEN_OUT)
     elif _SUBPROGRAM.fullmatch(name):
-        meaning.complain(f"{name} calls a subprogram, which is not followed", codes.IN_PLACE)
+        meaning.complain(f"{name} calls a subprogram, which is not followed", m_codes.IN_PLACE)
     elif name in ("TRAORI", "TRAFOOF"):
         meaning.point_control = name == "TRAORI"
         if arguments not in (None, "()", "(1)"):

@@ -45,9 +45,14 @@ class Tool:
 
 @dataclass(frozen=True, slots=True)
 class ToolTable:
-    """Tools by number."""
+    """Tools by number; names: the numbers of those that programs call by their names, in capitals."""
 
     tools: Mapping[int, Tool] = field(default_factory=dict)
+    names: Mapping[str, int] = field(default_factory=dict)
+
+    def number_of(self, name: str) -> int | None:
+        """Of the tool with a name, whatever the case of its letters; None: there is none."""
+        return self.names.get(name.upper())
 
 
 def tool_point_of(model: ErrorModel, tool: Tool | None, otherwise: FloatArray) -> FloatArray:
@@ -88,17 +93,19 @@ def read_tools(path: Path) -> ToolTable:
     Raises InputError with every fault of the file.
     """
     text, faults = utf8_text(path, input_bytes(path)), Faults(str(path))
-    tools = _from_toml(text, faults) if path.suffix.lower() == ".toml" else _from_table(text, faults)
-    if not tools and not faults.found:
+    toml = path.suffix.lower() == ".toml"
+    table = _from_toml(text, faults) if toml else ToolTable(_from_table(text, faults))
+    if not table.tools and not faults.found:
         faults.add("", "holds no tool", "lines like T1 P1 Z102.5, or TOML tables [tool.1] in a file .toml")
     faults.raise_if_any()
-    return ToolTable(tools)
+    return table
 
 
-def _from_toml(text: str, faults: Faults) -> dict[int, Tool]:
+def _from_toml(text: str, faults: Faults) -> ToolTable:
     top = Fields(parse_toml(text, faults), (), complainer(text, faults))
     tables = top.table("tool", required=True)
-    tools = {}
+    tools: dict[int, Tool] = {}
+    names: dict[str, int] = {}
     for key in tables.raw:
         table = tables.table(key)
         if not re.fullmatch(r"[1-9]\d{0,7}", key):
@@ -113,10 +120,13 @@ def _from_toml(text: str, faults: Faults) -> dict[int, Tool]:
         diameter = table.number("diameter", _RIGHT) if "diameter" in table.raw else None
         if diameter is not None and not 0.0 <= diameter <= LONGEST:
             table.fault("diameter", f"is {diameter:g}", f"a diameter in mm, from 0 to {LONGEST:g}")
-        table.refuse_others("length, offset, point, diameter")
+        name = (table.text("name") or "").upper() if "name" in table.raw else ""
+        if name and names.setdefault(name, int(key)) != int(key):
+            table.fault("name", f"is {name!r}, the name of another tool too", "a name of its own")
+        table.refuse_others("length, offset, point, diameter, name")
         tools[int(key)] = Tool(length, offset or (0.0, 0.0, 0.0), point, Cutter(diameter))
     top.refuse_others("tool")
-    return tools
+    return ToolTable(tools, names)
 
 
 def _lengths(table: Fields, key: str) -> tuple[float, float, float] | None:

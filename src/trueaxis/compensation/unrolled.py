@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation import m_codes
 from trueaxis.compensation.datum import Datum, datum_shift
 from trueaxis.compensation.linuxcnc_blocks import Unrolled
 from trueaxis.compensation.linuxcnc_modes import PASSED
@@ -59,7 +59,7 @@ def unrolled_first(
         offsets = _at_true_zeros(model, settings, notes)
     made = unroll(
         program, package, offsets, settings.tools, name, settings.block_delete, model.axes,
-        settings.reference_points, codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,
+        settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,
     )  # fmt: skip
     notes.add(0, UNROLLED)
     if made.exact_since:

@@ -27,13 +27,13 @@ def tools_used(visited: Mapping[Setup, Visited]) -> tuple[ToolUse, ...]:
 def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: Settings) -> tuple[OffsetUse, ...]:
     """The work offsets under which the program moved."""
     used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
-    lengths: dict[str, float] = {}  # of the first tool under each
+    lengths: dict[str, float] = {}  # of the first tool under each whose length counts
     tools = {} if settings.tools is None else settings.tools.tools
     for setup, one in visited.items():
         if setup.system and one.positions.size:
             used.setdefault(setup._replace(tool=None, point_control=False), []).append((one.positions, one.tool_point))
-            tool = tools.get(setup.tool or 0)
-            lengths.setdefault(setup.system, 0.0 if tool is None else tool.shift[2])
+            if (tool := tools.get(setup.tool or 0)) is not None:
+                lengths.setdefault(setup.system, tool.shift[2])
     point = np.array(settings.tool_point, dtype=np.float64)[:, np.newaxis]
     return tuple(
         offset_use(
@@ -42,7 +42,7 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
             setup.system,
             dict(zip(model.axes, setup.values, strict=True)),
             np.array(setup.spread),
-            Datum(_touched(setup.system, settings), point, lengths[setup.system]),
+            Datum(_touched(setup.system, settings), point, lengths.get(setup.system, 0.0)),
         )
         for setup, places in used.items()
     )

@@ -38,9 +38,9 @@ class CompensationSettings(TypedDict, total=False):
     "correct", to orientation_tolerance_urad (2), of tool_axis: its direction, tool frame (0, 0, 1). start: axis
     positions before the first block, those known. temperature (degC), time (s): for effects that depend on them.
     block_delete: motions in / blocks are a "fault", "run", or to "skip"; dialect: "fanuc", "linuxcnc", "siemens" or
-    "heidenhain"; integers: what a number without a decimal point counts, "mm" or "least-increment"; pass_m: M codes
-    that move nothing on this control. peck_return: how far G73 and G83 go back, where they are written out (0.254).
-    touched_off: work offsets that were touched off without compensation, each as --touched-off takes it
+    "heidenhain"; integers: what a number without a decimal point counts, "mm" or "least-increment"; pass_m, pass_g: M
+    and G codes that move nothing on this control. peck_return: how far G73 and G83 go back, where they are written out
+    (0.254). touched_off: work offsets that were touched off without compensation, each as --touched-off takes it
     ("G54=L120"); keep_g53: motions in machine coordinates stay as they are. spindle_tool: number of the tool in the
     spindle before the program, 0: none (not known).
     """
@@ -64,6 +64,7 @@ class CompensationSettings(TypedDict, total=False):
     dialect: Dialect
     integers: Integers
     pass_m: Sequence[int]
+    pass_g: Sequence[float]
     peck_return: float
     touched_off: Sequence[str]
     keep_g53: bool
@@ -90,6 +91,8 @@ def settings_of(given: CompensationSettings) -> dict[str, Any]:
         settings["touched_off"] = tuple(map(touched_off_of_option, settings["touched_off"]))
     if "pass_m" in settings:
         settings["pass_m"] = _codes(settings["pass_m"])
+    if "pass_g" in settings:
+        settings["pass_g"] = tuple(sorted(map(float, settings["pass_g"])))
     return settings
 
 

@@ -1,0 +1,48 @@
+"""A canned cycle of an NC program, as its words hold on from block to block."""
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+
+from trueaxis.compensation.settings import Settings
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cycle:
+    """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none; whole_peck:
+    without a decimal point), dwell (the text of its P word). initial: where the drilling axis was when it began, mm,
+    machine coordinates, None: not known; frame: in which. absolute, inch: how z and r are written.
+    """
+
+    code: int
+    z: float | None = None
+    r: float | None = None
+    peck: float = 0.0
+    whole_peck: bool = False
+    dwell: str = ""
+    initial: float | None = None
+    frame: Hashable = None
+    absolute: bool = True
+    inch: bool = False
+
+    @property
+    def name(self) -> str:
+        """G81 and the like."""
+        return f"G{self.code / 10:g}"
+
+    @property
+    def pecks(self) -> bool:
+        """Whether it drills in steps."""
+        return self.code in (730, 830)
+
+    @property
+    def in_one_peck(self) -> bool:
+        """Whether a peck is no less than the whole way from R to Z."""
+        if not self.pecks or self.z is None or self.r is None:
+            return False
+        return self.peck >= (self.r if self.absolute else 0.0) - self.z
+
+
+def peck_in_doubt(cycle: Cycle, settings: Settings) -> bool:
+    """Whether Q may count least increments where other whole numbers count mm, as on some Fanuc controls."""
+    whole = cycle.whole_peck and settings.undotted == "mm" and settings.dialect != "linuxcnc"
+    return whole and cycle.in_one_peck
