@@ -1,5 +1,7 @@
 """The audit's limits, by planting what it says can just be found."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -56,6 +58,27 @@ def test_what_is_as_large_as_the_detection_limit_is_found_about_half_the_time(ef
     assert few < 0.05
     assert 0.3 < half < 0.95
     assert nearly_all > 0.99
+
+
+def test_where_few_degrees_of_freedom_tell_the_noise_the_limit_is_as_much_farther_out() -> None:
+    where, ground, found = audited()
+    few, effect = 10.0, Effect(kind="backlash", component="EXX")
+    freedom = replace(ground.freedom, of_rows=np.full(ground.values.size, few))
+    limit, known_noise = (
+        next(one.detection for one in limits if one.effect == effect)
+        for limits in (audit(replace(ground, freedom=freedom)).limits, found.limits)
+    )
+    assert limit / known_noise == pytest.approx(np.sqrt(5.7589), rel=1e-3)  # F of 1 and 10 at 2e-7, over 27
+    signature = signature_of(where.readings, effect)
+    known = prepared(signature, inner_of(where.whitening, where.base))
+    signal = parameter_signature(where.readings, effect, np.array([limit]))[0]
+    source, hits = np.random.default_rng(5), []
+    for _ in range(200):
+        estimated = np.sqrt(source.chisquare(few) / few)  # the noise that was found, over the true one
+        values = where.base.rest(where.whitening(signal) + source.standard_normal(signal.size)) / estimated
+        one = scanned(signature, known, residual_of(where.whitening, where.base, values, freedom))
+        hits.append(one.evidence >= ground.threshold)
+    assert 0.3 < np.mean(hits) < 0.95
 
 
 def test_correlations_are_cosines_of_what_the_base_leaves() -> None:

@@ -9,9 +9,10 @@ import pytest
 from scipy.stats import kstest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
-from trueaxis.diagnosis.checks import run_checks, structures
+from trueaxis.diagnosis.checks import LOOKS, run_checks, structures
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.structure import Check, StructureClass
+from trueaxis.estimation.noise import Noise
 from trueaxis.reporting.diagnosis.structures import check_name
 
 FloatArray = npt.NDArray[np.float64]
@@ -19,9 +20,8 @@ FloatArray = npt.NDArray[np.float64]
 
 def checked(where: Field, values: FloatArray) -> tuple[Check, ...]:
     """values: (n,), mm."""
-    theta = where.readings.reading.theta
     residual = where.base.rest(where.whitening(values))
-    return run_checks(where.readings.rows, theta, where.whitening, where.base, residual, where.freedom)
+    return run_checks(where.readings, where.whitening, where.base, residual, where.freedom)
 
 
 def noise(where: Field, seed: int) -> FloatArray:
@@ -31,13 +31,15 @@ def noise(where: Field, seed: int) -> FloatArray:
 def test_p_values_are_uniform_but_for_the_number_of_checks() -> None:
     where = field(SMALL, WHITE)
     draws = [checked(where, noise(where, seed)) for seed in range(60)]
-    count = len(list(structures(where.readings.rows, where.readings.reading.theta)))
-    # of p values multiplied by their number those below 1 are known: of each check one in so many, evenly spread
-    of_classes = ("lines of", "circles of")
+    count = len(list(structures(where.readings)))
+    # of p values multiplied by their number those below 1 are known: of each check one in so many, evenly spread; the
+    # second look at each, by what it leaves, sees the same or, at most, others
+    of_classes = ("lines of", "circles of", "readings that show")
     told = np.array([[one.p_value for one in checks if check_name(one).startswith(of_classes)] for checks in draws])
     assert told.shape[1] > 20
     below = told[told < 0.999]
-    assert below.size == pytest.approx(told.size / count, abs=4 * np.sqrt(told.size / count))
+    expected = told.size / count
+    assert expected / LOOKS - 4 * np.sqrt(expected) < below.size < expected + 4 * np.sqrt(expected)
     assert kstest(below, "uniform").pvalue > 1e-3
     assert sum(one.fired for checks in draws for one in checks) <= 3
 
@@ -91,6 +93,45 @@ def test_each_class_fires_for_its_structure(name: str) -> None:
     # nothing that has no axis in common with it does
     fired = [check_name(one) for one in checks if one.fired]
     assert not [one for one in fired if axes_of(one) and not axes_of(name) & axes_of(one)]
+
+
+def _wave(since: FloatArray) -> FloatArray:
+    return np.cos(np.where(np.isfinite(since), since, 0.0) / 40.0)
+
+
+OF_ERRORS: dict[StructureClass, Callable[[Rows], FloatArray]] = {
+    StructureClass.ERROR_DIRECTION: lambda rows: rows.directions[0] * np.sign(rows.positions[0] - 230.0),
+    StructureClass.ERROR_AFTER_REVERSALS: lambda rows: rows.directions[0] * _wave(rows.context.since_reversal[0]),
+    StructureClass.ERROR_COURSE: lambda rows: rows.positions[0] * (known(rows.context.time) / 3600.0) ** 2,
+}
+
+
+def error_of(where: Field, name: str, structure: StructureClass) -> FloatArray:
+    """(n,): an error of size 1 as each reading senses it."""
+    rows = where.readings.rows
+    shape = OF_ERRORS[structure](rows) * where.readings.sensitivity[where.readings.model.components.index(name)]
+    return known(shape / np.abs(shape[np.isfinite(shape)]).max())
+
+
+@pytest.mark.parametrize("structure", OF_ERRORS)
+def test_an_error_of_no_kind_is_seen_by_all_instruments_that_sense_it(structure: StructureClass) -> None:
+    where = field(SMALL, WHITE)
+    slow = structure is StructureClass.ERROR_COURSE  # nearly all of it is a curve and the zero of each run
+    checks = checked(where, noise(where, 3) + (200.0 if slow else 2.0) * SIGMA * error_of(where, "EXX", structure))
+    of_class = {one.place: one for one in checks if one.structure is structure}
+    assert of_class["EXX"].fired
+    assert min(of_class, key=lambda place: of_class[place].p_value) == "EXX"
+    assert check_name(of_class["EXX"]).startswith("readings that show EXX, ")
+
+
+def test_what_counts_as_noise_of_its_runs_is_seen_by_what_it_leaves() -> None:
+    """Where nothing is repeated, structure that runs share is noise of these runs in the estimate."""
+    where = field(SMALL, Noise(4.0 * SIGMA))
+    structure = error_of(where, "EXX", StructureClass.ERROR_DIRECTION)
+    found = min(checked(where, noise(where, 3) + 2.0 * SIGMA * structure), key=lambda one: one.p_value)
+    assert (found.structure, found.place, found.fired) == (StructureClass.ERROR_DIRECTION, "EXX", True)
+    assert 0.5 * SIGMA < found.rms < 2.0 * SIGMA
+    assert not [one for seed in range(10) for one in checked(where, noise(where, seed)) if one.fired]
 
 
 def fired_in(where: Field, values: FloatArray) -> list[StructureClass]:

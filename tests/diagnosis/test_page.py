@@ -220,9 +220,12 @@ def test_constants_in_the_text_are_those_of_the_code(text: str) -> None:
 
 def test_every_class_of_structure_is_listed_with_its_id() -> None:
     section = PAGE.partition("\n## Checks\n")[2].partition("\n## ")[0]
-    listed = re.findall(r"^\| `(\w+)` \| (axis|plane|run|instrument) \|", section, re.MULTILINE)
+    listed = re.findall(r"^\| `(\w+)` \| (axis|plane|component error|run|instrument) \|", section, re.MULTILINE)
     assert [name for name, _ in listed] == [one.value for one in StructureClass]
-    nouns = {"axis": "lines of", "plane": "circles of", "run": "run", "instrument": "readings of the"}
+    nouns = {
+        "axis": "lines of", "plane": "circles of", "component error": "readings that show", "run": "run",
+        "instrument": "readings of the",
+    }  # fmt: skip
     for name, place in listed:
         assert check_name(
             Check(structure=StructureClass(name), place="?", p_value=1.0, fired=False, rms=0.0)

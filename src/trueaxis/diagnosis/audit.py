@@ -3,12 +3,14 @@
 With M the projection that takes the whitened base away and s the whitened signature per unit amplitude, lambda =
 |M s|^2. An amplitude of sqrt(27 / lambda) is found about as often as not at the threshold of the evidence; one of
 sqrt(21 / (lambda (1 - R^2))) is told from a rival with which the rest of its signature has the squared correlation R^2.
+Both are of a noise that is known. Where few degrees of freedom tell it, the threshold is farther out, and so are they.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import chdtrc, fdtri
 
 from trueaxis.diagnosis.candidates import grid_of
 from trueaxis.diagnosis.of_plan import Limit, Observability
@@ -40,7 +42,7 @@ class Audit:
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Seen:
     """A candidate that can be seen. bases: (n, k) each, of what the base leaves at the points of its grid; strength:
-    lambda per amplitude, at the middle one.
+    lambda per amplitude, at the middle one, less by how much farther out a noise that is not quite known has limits.
     """
 
     effect: Effect
@@ -79,7 +81,7 @@ def audit(ground: Ground) -> Audit:
                 effect=effect,
                 points=signature.points,
                 bases=tuple(_basis(rest[:, part]) for part in parts),
-                strength=left / k,
+                strength=left / k / _farther(ground.freedom.of_cause(signature.support, raw)),
                 share=share,
             )
         )
@@ -92,6 +94,11 @@ def audit(ground: Ground) -> Audit:
         limits[one.effect] = _limit(ground, one, rival, max(float(others[nearest]), 0.0), int(place_of[place, nearest]))
     correlation = np.maximum(r2, r2.T)
     return Audit(tuple(limits[effect] for effect in ground.effects), tuple(one.effect for one in seen), correlation)
+
+
+def _farther(freedom: float) -> float:
+    """By how many times the threshold is larger where so many degrees of freedom tell the noise, by the F test."""
+    return float(fdtri(1.0, freedom, 1.0 - chdtrc(1.0, DETECTION))) / DETECTION
 
 
 def _left(ground: Ground, base: Projection) -> Iterator[tuple[Effect, Signature, FloatArray, FloatArray]]:

@@ -6,19 +6,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.diagnosis.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit
+from trueaxis.diagnosis.checks_of_runs import FALSE_ALARMS, FEWEST, humming_run, lack_of_fit
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import BoolArray, FloatArray
 from trueaxis.diagnosis.rows import Rows, plane_of
+from trueaxis.diagnosis.signature import Readings
 from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.tails import log_f_tail
 
 DEGREE = 6
 LOBES = 10
 RIPPLE = 30  # lobes of a circle, half periods on a line: up to so many, beyond the coarse ones
 BINS = 6
+LOOKS = 2  # at each structure: by the noise that was estimated, and by what it leaves itself
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,28 +34,32 @@ class Structure:
 
 
 def run_checks(
-    rows: Rows, theta: FloatArray, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
+    readings: Readings, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
 ) -> tuple[Check, ...]:
     """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
 
     rms of a check: about what the structure comes to, mm, its share of the noise taken away.
     """
-    sigma = whitening.sigma
+    rows, sigma, left = readings.rows, whitening.sigma, projection.left - _by_chance(whitening)
     classes, explaining, counts = [], [], []
-    for one in structures(rows, theta):
+    for one in structures(readings):
         there = np.flatnonzero(np.isin(rows.run, rows.run[one.columns.any(axis=1)]))  # whole runs
         combination, k = projection.explaining(there, whitening.part(there, one.columns[there]), residual)
         classes.append((one.kind, one.place))
         explaining.append(combination)
-        counts.append((k, freedom.of(there, one.columns[there])))
+        counts.append((k, freedom.of(there, one.columns[there]), there))
     found = []
     every = projection.rest(np.stack(explaining, axis=1)).T if classes else ()
-    for (kind, place), fitted, (k, of_noise) in zip(classes, every, counts, strict=True):
+    for (kind, place), fitted, (k, of_noise, there) in zip(classes, every, counts, strict=True):
         if k == 0:
             continue
         statistic = float(fitted @ fitted)
-        log_p = log_f_tail(statistic / k, k, of_noise) + np.log(len(classes))
-        beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
+        log_p, of_all = log_f_tail(statistic / k, k, of_noise), 1.0
+        if (beside := _beside(fitted[there], residual[there], float(left[there].sum()), k))[0] < log_p:
+            log_p, of_all = beside
+        log_p += np.log(len(classes) * LOOKS)
+        excess = statistic - of_all * k
+        beyond = max(excess, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(
@@ -62,15 +69,43 @@ def run_checks(
                 p_value=p_value,
                 fired=p_value < FALSE_ALARMS,
                 rms=rms,
-                excess=statistic - k,
+                excess=excess,
             )
         )
     found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
     return tuple(found)
 
 
-def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
-    """The classes that these rows can show."""
+def _by_chance(whitening: Whitening) -> FloatArray:
+    """(n,): share of each whitened reading's variance by which its run drifts, settles and wanders, if it does so as
+    far as is usual: it may do less, and what is left is no measure of the noise there.
+    """
+    found = np.zeros(int(whitening.starts[-1]))
+    for place in range(len(whitening.runs)):
+        aside, share = whitening.aside(place)
+        chance = np.where(share < 1.0, 1.0 - (1.0 - share) ** 2, 0.0)
+        found[whitening.starts[place] : whitening.starts[place + 1]] = aside**2 @ chance
+    return found
+
+
+def _beside(fitted: FloatArray, residual: FloatArray, left: float, k: int) -> tuple[float, float]:
+    """Logarithm of the probability, by the F test, that noise is explained as well by k columns, the noise of these
+    runs being what they leave; and the variance of that noise.
+
+    What several runs share and nothing repeats counts as noise of these runs in the estimate, and hides behind it. What
+    is less than that noise itself is no finding: rounding by a display leaves less than it is expected to.
+    fitted, residual: (n_rows,), of these runs; left: degrees of freedom of their residuals.
+    """
+    rest, statistic = residual - fitted, float(fitted @ fitted)
+    variance = float(rest @ rest) / (left - k) if left - k >= FEWEST else 0.0
+    if variance == 0.0 or statistic <= k:
+        return 0.0, 1.0
+    return log_f_tail(statistic / (k * variance), k, left - k), variance
+
+
+def structures(readings: Readings) -> Iterator[Structure]:
+    """The classes that these readings can show."""
+    rows, theta = readings.rows, readings.reading.theta
     ballbar = np.array([run.instrument == "ballbar" for run in rows.runs])[rows.run]
     for axis, name in enumerate(rows.axes):
         mine = ~ballbar & _led_by(rows, axis)
@@ -79,6 +114,48 @@ def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
     for number in np.unique(rows.setup[ballbar]):
         mine = ballbar & (rows.setup == number)
         yield from _of_circles(rows, theta, mine)
+    for number, name in enumerate(readings.model.components):
+        yield from _of_error(rows, ErrorName(name), readings.sensitivity[number])
+
+
+def _of_error(rows: Rows, name: ErrorName, lever: FloatArray) -> Iterator[Structure]:
+    """What an error may do that no curve over the position is, as all instruments sense it; lever: (n,), mm or mm per
+    rad by which readings do.
+    """
+    axis = rows.axes.index(name.axis)
+    seen = lever != 0.0
+    moved = _moved_in(rows, axis) & seen
+    if not moved.any():
+        return
+    at, way = rows.positions[axis], rows.directions[axis]
+    scaled = _scaled(at, moved)
+    odd = (lever * way * moved)[:, np.newaxis]
+    yield Structure(StructureClass.ERROR_DIRECTION, name, legendre.legvander(scaled, 2 * DEGREE) * odd)
+    since = rows.context.since_reversal[axis]
+    after = moved & np.isfinite(since)
+    if after.any():
+        curve = legendre.legvander(_scaled(since, after), 2 * DEGREE)
+        yield Structure(StructureClass.ERROR_AFTER_REVERSALS, name, curve * odd * after[:, np.newaxis])
+    course = [_course(rows, moved)]
+    if np.isfinite(rows.context.time[seen]).all():
+        late = np.asarray(legendre.legvander(_scaled(rows.context.time, seen), 3)[:, 1:], dtype=np.float64)
+        course += [late, late * _scaled(at, seen)[:, np.newaxis]]  # the zero of a run hides what no position changes
+    yield Structure(StructureClass.ERROR_COURSE, name, np.hstack(course) * lever[:, np.newaxis])
+
+
+def _scaled(values: FloatArray, mine: BoolArray) -> FloatArray:
+    """(n,): from -1 to 1 over those that count, 0 elsewhere."""
+    least, most = values[mine].min(), values[mine].max()
+    return np.where(mine, 2.0 * (np.where(mine, values, least) - least) / max(float(most - least), 1e-300) - 1.0, 0.0)
+
+
+def _moved_in(rows: Rows, axis: int) -> BoolArray:
+    """Rows of runs in which this axis moves."""
+    found = np.zeros(rows.size, dtype=bool)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        found[mine] = np.ptp(rows.positions[axis, mine]) > 0.0
+    return found
 
 
 def _led_by(rows: Rows, axis: int) -> BoolArray:

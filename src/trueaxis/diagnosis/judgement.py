@@ -128,8 +128,7 @@ def _besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[Fl
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:
-    rows, theta = ground.readings.rows, ground.readings.reading.theta
-    return run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
+    return run_checks(ground.readings, ground.whitening, projection, residual, ground.freedom)
 
 
 def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:

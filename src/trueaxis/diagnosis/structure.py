@@ -23,6 +23,9 @@ class StructureClass(Enum):
     CIRCLE_DIRECTION_FEED = "circle_direction_feed"
     CIRCLE_REVERSALS = "circle_reversals"
     CIRCLE_AFTER_REVERSALS = "circle_after_reversals"
+    ERROR_DIRECTION = "error_direction"
+    ERROR_AFTER_REVERSALS = "error_after_reversals"
+    ERROR_COURSE = "error_course"
     ONE_PERIOD = "one_period"
     LACK_OF_FIT = "lack_of_fit"  # sees any structure, and says nothing of its kind
 
@@ -31,8 +34,8 @@ class StructureClass(Enum):
 class Check:
     """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks.
 
-    place: axis of lines, plane of circles, run or instrument; rms: of the structure over the readings, mm; excess: its
-    whitened squares beyond those of noise.
+    place: axis of lines, plane of circles, component error, run or instrument; rms: of the structure over the readings,
+    mm; excess: its whitened squares beyond those of noise.
     """
 
     structure: StructureClass

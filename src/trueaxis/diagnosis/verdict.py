@@ -32,6 +32,9 @@ DUE_TO: Mapping[StructureClass, frozenset[str]] = {  # variables of the causes t
     StructureClass.CIRCLE_DIRECTION_FEED: _TURNING | {"v"},
     StructureClass.CIRCLE_REVERSALS: _TURNING,
     StructureClass.CIRCLE_AFTER_REVERSALS: _TURNING,
+    StructureClass.ERROR_DIRECTION: _TURNING | {"v"},
+    StructureClass.ERROR_AFTER_REVERSALS: _TURNING | {"v"},
+    StructureClass.ERROR_COURSE: _TURNING | {"t", "T"},
     StructureClass.ONE_PERIOD: _TURNING | {"q", "s"},  # cycles of one run
 }
 SIGNIFICANT = 2.0  # standard uncertainties: from where 95 % of the sizes that are possible are of one sign

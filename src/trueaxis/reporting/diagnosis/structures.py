@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from trueaxis.diagnosis.structure import Check, StructureClass
 
-LINES, CIRCLES = "lines of", "circles of"
+LINES, CIRCLES, ERRORS = "lines of", "circles of", "readings that show"
 
 # class -> where, what, meaning, what to measure; {}: the axis of lines, the plane of circles, the run, the instrument
 _WORDS: Mapping[StructureClass, tuple[str, str, str, str]] = {
@@ -98,6 +98,24 @@ _WORDS: Mapping[StructureClass, tuple[str, str, str, str]] = {
         "after reversals",
         "a course after each reversal",
         "the circle in {} at a quarter of the feed, with samples close to the reversals",
+    ),
+    StructureClass.ERROR_DIRECTION: (
+        ERRORS,
+        "between directions",
+        "differs by the direction of motion, in a way that depends on the position",
+        "lines and circles that show {} again, each target from both sides",
+    ),
+    StructureClass.ERROR_AFTER_REVERSALS: (
+        ERRORS,
+        "after reversals",
+        "changes with the distance since the axis turned back",
+        "a line that shows {}, with targets at small distances after each reversal",
+    ),
+    StructureClass.ERROR_COURSE: (
+        ERRORS,
+        "with time",
+        "changes while the machine is measured",
+        "a line that shows {} again after some hours, with time and temperature beside it",
     ),
     StructureClass.ONE_PERIOD: ("run", "one period", "the readings of run {} vary with one period", ""),
     StructureClass.LACK_OF_FIT: (
