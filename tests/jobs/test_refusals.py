@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+import polars as pl
 import pytest
 
 import trueaxis as ta
@@ -188,7 +190,31 @@ WRONG: list[tuple[str, dict[str, Any], str]] = [
     ),
     ("plan", {"datum": "moon"}, "datum: expected one of home, best-fit; given 'moon'"),
     ("diagnose", {"noise_um": 1e9}, "noise_um: expected micrometres from 1e-06 to 10000"),
-    ("report", {"tool": "far"}, "tool: expected numbers"),
+    ("report", {"tool": "far"}, "tool: expected numbers; given 'far'"),
+    ("report", {"model": "mill.toml"}, "model: expected a MachineModel, from load_model; given 'mill.toml'"),
+    ("report", {"errors": "e.json"}, "errors: expected Errors, from load_errors or identify; given 'e.json'"),
+    ("report", {"out": 5}, "out: expected a path or None; given 5"),
+    ("report", {"against": {}}, "against: expected Errors, from load_errors or identify or None; given of class dict"),
+    ("diagnose", {"data": "runs"}, "data: expected a DataFolder, from load_data or simulate; given 'runs'"),
+    ("diagnose", {"noise_um": "0.5"}, "noise_um: expected a number or None; given '0.5'"),
+    ("identify", {"prior": "none"}, "prior: expected True or False; given 'none'"),
+    ("identify", {"runs": "X-1"}, "runs: expected a list; given 'X-1'"),
+    ("identify", {"degree": 2.5}, "degree: expected a whole number or None; given 2.5"),
+    ("identify", {"noise_um": "repeat"}, "noise_um: expected one of repeats, repeats-by-run; given 'repeat'"),
+    ("predict", {"draws": 1.5}, "draws: expected Draws or a whole number or None; given 1.5"),
+    ("predict", {"context": "cold"}, "context: expected a Context or None; given 'cold'"),
+    ("predict", {"positions": {}}, "positions: expected positions of some of X, Y, Z"),
+    ("predict", {"positions": {"X": "12"}}, "positions['X']: expected numbers; given '12'"),
+    ("predict", {"positions": {"X": True}}, "positions['X']: expected numbers; given True"),
+    (
+        "predict",
+        {"positions": {"X": [1.0, 5e3], "Y": -9}},
+        "X = 5000 is outside its travel, from 0 to 540; Y = -9 is outside",
+    ),
+    ("simulate", {"seed": "a"}, "seed: expected a whole number; given 'a'"),
+    ("load_errors", {"machine": "mill.toml"}, "from load_model; given 'mill.toml'"),
+    ("save_errors", {"errors": 3.0}, "errors: expected Errors, from load_errors or identify; given 3.0"),
+    ("load_model", {"machine": 5}, "machine: expected a path; given 5"),
     ("evaluate", {"plane": "XX"}, "plane: expected one of XY, XZ, YX, YZ, ZX, ZY; given 'XX'"),
     ("evaluate", {"radius": -1.0}, "radius: expected a finite number above 0; given -1.0"),
     ("evaluate", {"keys": {"axis": None}}, "keys['axis']: expected a text, a number or numbers; given None"),
@@ -218,6 +244,12 @@ def test_wrong_arguments_are_told(
         "plan": {"model": model, "data": data},
         "diagnose": {"model": model, "data": data},
         "report": {"model": model, "errors": errors},
+        "identify": {"model": model, "data": data},
+        "predict": {"model": model, "errors": errors, "positions": {"X": 1.0}},
+        "simulate": {"model": model, "errors": errors, "plan": data},
+        "load_errors": {"path": ERRORS, "machine": model},
+        "save_errors": {"path": "out.json", "errors": errors, "machine": model},
+        "load_model": {"machine": DMU60P},
         "evaluate": {"data": "x.csv"},
         "import_readings": {"files": "x.rtl", "machine": model, "out": "data"},
         "init": {"spec": "mill.toml", "structure": "[w b X Z t]", "travel": {"X": (0.0, 1.0), "Z": (0.0, 1.0)}},
@@ -225,6 +257,26 @@ def test_wrong_arguments_are_told(
     with pytest.raises((ValueError, TypeError), match=re.escape(told)):
         getattr(ta, name)(**{**given[name], **changed})
     assert [path.name for path in here.iterdir()] == ["p.nc"]
+
+
+def test_numbers_and_tables_of_other_libraries_are_taken(model: ta.MachineModel, errors: ta.Errors) -> None:
+    wanted = ta.predict(model, errors, {"X": [10.0, 20.0], "Z": 5.0}).deviation
+    table = {"X": [10.0, 20.0], "Z": [5.0, 5.0]}
+    tables: list[Any] = [pl.DataFrame(table), pd.DataFrame(table)]
+    for positions in (*tables, {"X": np.array([10, 20]), "Z": np.float32(5.0)}):
+        assert (ta.predict(model, errors, positions, draws=None).deviation == wanted).all()
+
+
+def test_what_comes_back_is_printed_in_a_few_words(
+    model: ta.MachineModel, errors: ta.Errors, data: ta.DataFolder
+) -> None:
+    assert str(model) == str(model.machine)
+    assert str(model).startswith("dmu60p: ")
+    assert "X 0 to 540" in str(model)
+    assert re.match(r"\| error +\| unit +\| value", str(errors).splitlines()[1])
+    assert len(str(errors).splitlines()) == errors.to_polars().height + 3
+    assert re.fullmatch(r".*dmu60p_regular_runs: \d+ readings in 18 runs \(.*\)", str(data))
+    assert str(data) in data._repr_html_().replace("&amp;", "&")
 
 
 def test_a_table_asks_for_pandas_by_name(errors: ta.Errors, monkeypatch: pytest.MonkeyPatch) -> None:

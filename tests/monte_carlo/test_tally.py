@@ -32,6 +32,15 @@ def test_its_figures_are_those_of_all_draws_together(name: str) -> None:
         assert whole.quantile(share)[0, 0] == pytest.approx(np.quantile(draws, share), abs=0.03 * draws.std())
 
 
+def test_what_no_draw_moves_lies_in_its_interval() -> None:
+    tally = Tally(Bins.of_sample(np.zeros((100, 4, 1))))
+    tally.add(np.zeros((5000, 4, 1)))
+    found = drawn_of(tally, np.zeros((3, 1)), np.zeros((3, 1)))
+    assert (found.low == 0.0).all()
+    assert (found.high == 0.0).all()
+    assert not found.differing.any()
+
+
 def test_quantiles_of_two_values_are_the_values() -> None:
     draws = np.random.default_rng(2).choice([-4e-3, 6e-3], (5000, 1, 1))
     tally = Tally(Bins.of_sample(draws[:100]))

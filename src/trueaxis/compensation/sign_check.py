@@ -92,10 +92,12 @@ class SignChecker:
         """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written; left_out:
         (n,), points whose commands are not those of the compensation alone; datum: (3, 1), what corrections count from.
 
-        Points of feed motions come first: that is where the part is cut.
+        Points of feed motions come first: that is where the part is cut. Only ends of blocks count, whose words an
+        operator can type in.
         """
+        within = np.append(np.diff(path.owner) == 0, np.zeros(min(path.size, 1), dtype=bool))
         for rapid in (False, True):
-            none = left_out | (path.rapid != rapid)
+            none = left_out | within | (path.rapid != rapid)
             since = np.where(none, 0.0, np.nan_to_num(deviation - self._at_home))
             direction, point = np.unravel_index(np.argmax(np.abs(since)), since.shape)
             size = float(abs(since[direction, point]))

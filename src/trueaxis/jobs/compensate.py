@@ -35,6 +35,7 @@ from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_e
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_zero, tool_points
+from trueaxis.jobs.typed import typed
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.monte_carlo.settings import Draws
@@ -84,6 +85,7 @@ class Compensated(Printed, Tabular):
         return "\n".join([compensation_text(self.report), *(f"note: {one}" for one in self.notes)]) + "\n"
 
 
+@typed
 def compensate(
     model: MachineModel,
     errors: Errors,
@@ -208,7 +210,7 @@ def notes_of(report: CompensationReport, model: MachineModel) -> tuple[str, ...]
 
 def notes_of_draws(left: DrawnProgram | None) -> tuple[str, ...]:
     """What draws say, in sentences."""
-    return () if left is None else tuple(draw_sentences(left.drawn, left.positions.shape[1]))
+    return () if left is None else tuple(draw_sentences(left.drawn, left.positions.shape[1], with_noise=False))
 
 
 @contextmanager

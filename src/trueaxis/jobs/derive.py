@@ -9,6 +9,8 @@ import numpy as np
 
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.load import KERNELS, AnyPath
+from trueaxis.jobs.tables import Printed
+from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.data import MeasuredData, read_data
@@ -33,7 +35,7 @@ class SolvedSystem:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Derivation:
+class Derivation(Printed):
     """What was derived of a machine.
 
     folder: of its kernels and equations; files: what was written, none where it was compared; differences: lines that
@@ -48,7 +50,14 @@ class Derivation:
     systems: tuple[SolvedSystem, ...]
     tool_ranges: Mapping[str, tuple[float, float]]
 
+    def __str__(self) -> str:
+        if self.differences:
+            return "\n".join(self.differences)
+        files = f"{len(self.files)} files written to {self.folder}" if self.files else f"{self.folder} is up to date"
+        return f"{self.machine.name}: {files}; {len(self.systems)} identification systems"
 
+
+@typed
 def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = None, check: bool = False) -> Derivation:
     """Derive the error model of a machine spec and write OUT/NAME/: kernels.py, kernels.c, kernels.h, of a machine with
     three linear axes control.c and control.h, equations.md, manifest.json.

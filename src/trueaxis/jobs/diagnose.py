@@ -23,6 +23,7 @@ from trueaxis.jobs.identify import believed, check_noise
 from trueaxis.jobs.load import AnyPath, DataFolder, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.measurement.data import MeasuredData
@@ -88,6 +89,7 @@ class Diagnosed(Tabular):
         return f"{table}<pre>{escape(str(self))}</pre>"
 
 
+@typed
 def diagnose(
     model: MachineModel,
     data: DataFolder,

@@ -34,6 +34,7 @@ from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.import_readings import KeyValue, key_text
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import above_zero
+from trueaxis.jobs.typed import typed
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.instrument_run import InstrumentRun
 
@@ -54,6 +55,7 @@ class EvaluateOptions:
     diagonals: Mapping[str, float] | None = None
 
 
+@typed
 def evaluate(
     data: AnyPath | Sequence[AnyPath] | PositioningTest | Mapping[str, PositioningTest],
     *,

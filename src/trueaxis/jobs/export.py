@@ -18,6 +18,7 @@ from trueaxis.jobs.given import Spelled, argument, check_fit, files_of, kernels_
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, above_zero, at_least_zero, tool_points
+from trueaxis.jobs.typed import typed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
@@ -91,6 +92,7 @@ class ExportOptions:
     file_type: int | None = None
 
 
+@typed
 def export(
     model: MachineModel,
     errors: Errors,

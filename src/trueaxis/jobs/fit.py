@@ -12,6 +12,7 @@ from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.jobs.given import check_fit, name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.tables import Printed, Tabular, at_least_zero
+from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine
 from trueaxis.model.curves import LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues
@@ -101,6 +102,7 @@ class Fitted(Printed, Tabular):
                               kept={name: one for name, one in drawn.items() if name in kept})  # fmt: skip
 
 
+@typed
 def fit(
     model: MachineModel,
     errors: Errors,

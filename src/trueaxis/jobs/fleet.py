@@ -22,6 +22,7 @@ from trueaxis.jobs.draws import workers_of
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.typed import typed
 from trueaxis.measurement.table import table_bytes
 from trueaxis.reporting.fleet import fleet_text
 
@@ -32,29 +33,32 @@ Show = Callable[[str], None]
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class FleetResult(Printed, Tabular):
     """What has been done of a fleet. rows: machine by machine, of each in the order of its dates; summary: what has
-    changed, which machines share a cause, which failed; made: how many rows were made now, the others being unchanged;
-    files: the table and the page; folder: where everything is. Printed, it is the report of `trueaxis fleet`.
+    changed, which machines share a cause, which failed; made: how many rows were made now; kept: how many are
+    unchanged; files: the table and the page; folder: where everything is. Printed, it is the report of
+    `trueaxis fleet`.
     """
 
     rows: tuple[Row, ...] = field(repr=False)
     summary: Summary = field(repr=False)
     made: int
+    kept: int
     files: tuple[Path, ...]
     folder: Path
 
     @property
     def good(self) -> bool:
-        """Whether no row has a fault."""
-        return not self.summary.failed
+        """Whether no row has a fault, and the newest values of every machine fit their readings."""
+        return not self.summary.failed and not self.summary.misfits
 
     def to_polars(self) -> pl.DataFrame:
         """A row for each machine and folder of data, as in results.parquet."""
         return rows_frame(self.rows)
 
     def __str__(self) -> str:
-        return fleet_text(self.rows, self.summary, self.made)
+        return fleet_text(self.rows, self.summary, self.made, self.kept)
 
 
+@typed
 def fleet(
     file: AnyPath,
     out: AnyPath,
@@ -93,7 +97,8 @@ def fleet(
         summary = summary_of(ordered)
         show("summary")
         files = _written(folder, source.name, ordered, summary)
-    return FleetResult(rows=ordered, summary=summary, made=made, files=files, folder=folder)
+    kept = sum(len(chain.units) for chain in chains) - made
+    return FleetResult(rows=ordered, summary=summary, made=made, kept=kept, files=files, folder=folder)
 
 
 def _rows(chains: tuple[Chain, ...], asked: Workers, again: bool, show: Show) -> tuple[dict[Path, Row], int]:

@@ -20,6 +20,7 @@ from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.jobs.given import Spelled, argument, faults_of_runs, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.jobs.tables import Printed, check_among
+from trueaxis.jobs.typed import typed
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.limits import NOISE_UM
@@ -33,7 +34,7 @@ DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from followin
 Method = Literal["global", "stepwise"]
 Squareness = Literal["convention", "known", "from-angles"]
 Curves = Literal["table", "polynomial", "held-out"]
-Noise = NoiseModel | Mapping[str, float | Literal["repeats"]] | float | None
+Noise = NoiseModel | Mapping[str, float | Literal["repeats"]] | Literal["repeats", "repeats-by-run"] | float | None
 
 
 class UnbelievableError(ValueError):
@@ -57,6 +58,7 @@ class Identified(Printed):
         return report_text(self.report)
 
 
+@typed
 def identify(
     model: MachineModel,
     data: DataFolder,
@@ -197,6 +199,9 @@ def noise_model(noise_um: Noise, noise_urad: float | None = None) -> NoiseModel:
     if noise_um is None or isinstance(noise_um, NoiseModel):
         given = noise_um or NoiseModel()
         return given if noise_urad is None else replace(given, urad=noise_urad)
+    if isinstance(noise_um, str):
+        check_among(noise_um=(noise_um, Literal["repeats", "repeats-by-run"]))
+        return NoiseModel(repeats="run" if noise_um.endswith("run") else "instrument", urad=noise_urad)
     said = dict(noise_um) if isinstance(noise_um, Mapping) else {}
     by_group = {name: value for name, value in said.items() if not isinstance(value, str)}
     repeated = frozenset(said.keys() - by_group.keys())

@@ -20,6 +20,7 @@ from trueaxis.jobs.given import kernels_of
 from trueaxis.jobs.load import AnyPath, DataFolder, load_data
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
@@ -76,6 +77,7 @@ class Imported(Printed, Tabular):
         return "\n".join([*lines, f"{named(self.folder)}: {what}"]) + "\n"
 
 
+@typed
 def import_readings(
     files: AnyPath | Sequence[AnyPath],
     machine: Machine | MachineModel,

@@ -12,6 +12,7 @@ from trueaxis.io.plain_text import shown
 from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.outputs import named
+from trueaxis.jobs.typed import typed
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.read import parse_machine
 from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, new_spec, parse_structure
@@ -42,6 +43,7 @@ class NewMachine:
         return self.machine._repr_html_()
 
 
+@typed
 def init(
     spec: AnyPath, structure: str, travel: Mapping[str, Travel], *, sense: Mapping[str, int] | None = None
 ) -> NewMachine:

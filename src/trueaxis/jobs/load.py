@@ -1,5 +1,6 @@
 """Files in, records out: a machine, its model, error values with their covariance, measured data."""
 
+from collections import Counter
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -7,7 +8,8 @@ from pathlib import Path
 import polars as pl
 
 from trueaxis.io.files import write_files
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement import readings, setup
 from trueaxis.measurement.active_compensation import active_values, moved_setup
@@ -18,7 +20,7 @@ from trueaxis.model.covariance_file import linked
 from trueaxis.model.errors import ErrorValues, dump_errors
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import load_uncertainty
-from trueaxis.reporting.error_table import errors_frame, errors_html
+from trueaxis.reporting.error_table import errors_frame, errors_html, errors_text
 
 AnyPath = str | PathLike[str]
 KERNELS = "generated"  # the folder that `derive` writes
@@ -39,12 +41,15 @@ class Errors(Tabular):
         """A row for each error: value (of a component its largest, at the position `at`), u, what determines it."""
         return errors_frame(self.values, self.covariance, self.machine)
 
+    def __str__(self) -> str:
+        return errors_text(self.values, self.covariance, self.machine)
+
     def _repr_html_(self) -> str:
         return errors_html(self.values, self.covariance, self.machine)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class DataFolder(Tabular):
+class DataFolder(Printed, Tabular):
     """Measured data or a measuring plan. folder: where it was read, which faults name; data: runs and readings; active:
     the error values that the control compensated with while measuring, None where none did or nothing is said of it.
     """
@@ -53,16 +58,23 @@ class DataFolder(Tabular):
     data: MeasuredData = field(repr=False)
     active: ErrorValues | None = field(default=None, repr=False)
 
+    def __str__(self) -> str:
+        runs = Counter(run.instrument for run in self.data.setup.runs)
+        kinds = ", ".join(f"{count} of {kind}" for kind, count in runs.items())
+        return f"{self.folder}: {self.data.readings.reading.size} readings in {sum(runs.values())} runs ({kinds})"
+
     def to_polars(self) -> pl.DataFrame:
         """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
         return readings.readings_frame(self.data.readings, self.data.setup.runs)
 
 
+@typed
 def load_machine(path: AnyPath) -> Machine:
     """Read a machine spec. Raises InputError with every fault of the file."""
     return read_machine(Path(path))
 
 
+@typed
 def load_model(machine: AnyPath, kernels: AnyPath = KERNELS) -> MachineModel:
     """Read a machine spec and the kernels that `derive` wrote for it: the machine without errors.
 
@@ -71,6 +83,7 @@ def load_model(machine: AnyPath, kernels: AnyPath = KERNELS) -> MachineModel:
     return models.load_model(Path(machine), None, Path(kernels))
 
 
+@typed
 def load_errors(path: AnyPath, machine: Machine | MachineModel, covariance: AnyPath | None = None) -> Errors:
     """Read error values (errors.json) and the covariance that they name, or the file that is given.
 
@@ -82,6 +95,7 @@ def load_errors(path: AnyPath, machine: Machine | MachineModel, covariance: AnyP
     return Errors(values, load_uncertainty(Path(path), values, spec, file), Path(path), spec)
 
 
+@typed
 def save_errors(path: AnyPath, errors: Errors, machine: Machine | MachineModel) -> tuple[Path, ...]:
     """Write error values and, beside them with the ending .npz, their covariance: both whole or not at all.
 
@@ -102,6 +116,7 @@ def errors_files(
     return {file: content, out: text}
 
 
+@typed
 def load_data(folder: AnyPath, machine: Machine | MachineModel) -> DataFolder:
     """Read a folder of measured data or a measuring plan: setup.toml, readings.csv, and what setup.toml names.
 
@@ -112,6 +127,7 @@ def load_data(folder: AnyPath, machine: Machine | MachineModel) -> DataFolder:
     return DataFolder(folder=Path(folder), data=data, active=active_values(Path(folder), data.setup, spec))
 
 
+@typed
 def save_data(folder: AnyPath, data: DataFolder) -> tuple[Path, ...]:
     """Write measured data into another folder: readings.csv and a copy of setup.toml, both whole or not at all.
 

@@ -19,6 +19,7 @@ from trueaxis.jobs.load import AnyPath, DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, outputs_of
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular
+from trueaxis.jobs.typed import typed
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.measurement.active_compensation import moved_setup
@@ -85,6 +86,7 @@ class Planned(Printed, Tabular):
         return report_text(self.report)
 
 
+@typed
 def plan(
     model: MachineModel,
     data: DataFolder | None = None,

@@ -18,9 +18,11 @@ from trueaxis.jobs.tables import (
     Tabular,
     at_least_zero,
     check_among,
+    check_travel,
     positions_of,
     tool_points,
 )
+from trueaxis.jobs.typed import typed
 from trueaxis.measurement.context import faults_of_points
 from trueaxis.measurement.points import (
     DEVIATION_COLUMNS,
@@ -92,6 +94,7 @@ class Prediction(Printed, Tabular):
         return pl.DataFrame(columns).fill_nan(None)
 
 
+@typed
 def predict(
     model: MachineModel,
     errors: Errors,
@@ -105,18 +108,20 @@ def predict(
 ) -> Prediction:
     """The deviation of the tool point at axis positions, on the exact model (Eq. 4 of the paper), with uncertainty.
 
-    positions: by axis letter, numbers or (n,) each, or (n_axes, n), mm or deg; tool: (3,) or (3, n), the point in the
-    tool frame, mm. datum: reference of deviations and uncertainties: the error-free machine; the tool point at home;
-    the rigid placement of the workpiece that fits the points best. context: approach directions, times and
-    temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm. Raises ValueError if an
-    array has another shape, InputError if no machine has such a deviation or an effect lacks a variable, RefusedError
-    if max_u is exceeded. draws: number of draws of the error values, the repeatability and the context (GUM Supplement
-    1), in addition to u; with workers of a `Draws` the calling module must be importable (`if __name__ ==
-    "__main__":`).
+    positions: by axis letter, numbers or (n,) each, a table with such columns, or (n_axes, n), mm or deg; tool: (3,) or
+    (3, n), the point in the tool frame, mm. datum: reference of deviations and uncertainties: the error-free machine;
+    the tool point at home; the rigid placement of the workpiece that fits the points best. context: approach
+    directions, times and temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm.
+    draws: number of draws of the error values, the repeatability and the context (GUM Supplement 1), in addition to u;
+    with workers of a `Draws` the calling module must be importable (`if __name__ == "__main__":`).
+
+    Raises ValueError if an array has another shape or a position is outside the travel, InputError if no machine has
+    such a deviation or an effect lacks a variable, RefusedError if max_u is exceeded.
     """
     asked = checked(draws)
     check_among(datum=(datum, Datum))
     at = positions_of(model, positions)
+    check_travel(model, at)
     there = tool_points(tool, at.shape[1])
     whole = Context.at_rest(len(model.axes), at.shape[1]) if context is None else context
     at_least_zero(max_u=max_u)
@@ -191,7 +196,8 @@ def with_draws(
         offset=np.zeros((3, count)), steps=np.zeros((3, 0, count)), draws=draws,
     )  # fmt: skip
     found = drawn(model, points, done.deviation, np.hypot(done.u, 1e-3 * draws.noise_um), show)
-    return replace(done, drawn=found, notes=(*done.notes, *draw_sentences(found, count)))
+    sentences = draw_sentences(found, count, with_noise=draws.noise_um > 0.0)
+    return replace(done, drawn=found, notes=(*done.notes, *sentences))
 
 
 def _notes(

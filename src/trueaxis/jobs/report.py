@@ -10,7 +10,8 @@ from trueaxis.io.files import write_files
 from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import named, overwritten
-from trueaxis.jobs.tables import ORIGIN, tool_points
+from trueaxis.jobs.tables import ORIGIN, Printed, tool_points
+from trueaxis.jobs.typed import typed
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.certificate.content import Content, Known, content
 
@@ -18,7 +19,7 @@ PAGES = (".html", ".htm")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Document:
+class Document(Printed):
     """Error values as a document of two printed pages. content: the figures in it; html: the page; file: where it was
     written, None where it was not. Printed, it is what `trueaxis report` says.
     """
@@ -32,6 +33,7 @@ class Document:
         return f"{where}{self.content.title}\n"
 
 
+@typed
 def report(
     model: MachineModel,
     errors: Errors,

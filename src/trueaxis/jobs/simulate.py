@@ -7,6 +7,7 @@ import numpy as np
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.load import DataFolder, Errors
+from trueaxis.jobs.typed import typed
 from trueaxis.measurement.active_compensation import compensated_part
 from trueaxis.measurement.context import context_of, faults_of_readings
 from trueaxis.measurement.data import readings_path
@@ -15,6 +16,7 @@ from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
 
+@typed
 def simulate(
     model: MachineModel,
     errors: Errors | ErrorValues,

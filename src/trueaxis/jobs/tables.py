@@ -13,21 +13,27 @@ import numpy as np
 import numpy.typing as npt
 import polars as pl
 
+from trueaxis.jobs.typed import shown_value
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 
 ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame, mm
-Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike
+Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike | pl.DataFrame
 
 
 def positions_of(model: MachineModel, positions: Positions) -> FloatArray:
     """(n_axes, n) axis positions, mm or deg.
 
-    positions: by axis letter, numbers or (n,) each, axes that are left out stand at 0; or an array (n_axes, n) in the
-    order of `model.axes`. Raises ValueError with the argument, what was expected and what was given.
+    positions: by axis letter, numbers or (n,) each, axes that are left out stand at 0; a table (of Polars or pandas)
+    with such columns; or an array (n_axes, n) in the order of `model.axes`. Raises ValueError with the argument, what
+    was expected and what was given.
     """
     axes = model.axes
+    if not isinstance(positions, Mapping) and (columns := getattr(positions, "columns", None)) is not None:
+        positions = {str(name): np.asarray(positions[name]) for name in columns}  # type: ignore[index]
     if isinstance(positions, Mapping):
+        if not positions:
+            raise ValueError(f"positions: expected positions of some of {', '.join(axes)}; given none")
         if unknown := [name for name in positions if name not in axes]:
             raise ValueError(f"positions: {model.name} has no axis {', '.join(unknown)}, but {', '.join(axes)}")
         rows = [np.atleast_1d(_finite(f"positions[{axis!r}]", positions.get(axis, 0.0))) for axis in axes]
@@ -44,6 +50,17 @@ def positions_of(model: MachineModel, positions: Positions) -> FloatArray:
         order = ", ".join(axes)
         raise ValueError(f"positions: expected shape ({len(axes)}, n), rows {order}; given {array.shape}")
     return np.ascontiguousarray(array)
+
+
+def check_travel(model: MachineModel, positions: FloatArray) -> None:
+    """Raise ValueError where a position (n_axes, n) is outside the travel: nothing is known of the machine there."""
+    wrong = []
+    for axis, row in zip(model.axes, positions, strict=True):
+        low, high = model.travel[axis]
+        if (outside := row[(row < low) | (row > high)]).size:
+            wrong.append(f"{axis} = {outside[0]:.9g} is outside its travel, from {low:g} to {high:g}")
+    if wrong:
+        raise ValueError(f"positions: {'; '.join(wrong)}")
 
 
 def tool_points(tool: npt.ArrayLike, count: int) -> FloatArray:
@@ -79,9 +96,12 @@ def check_among(**given: tuple[object, Any]) -> None:
 
 def _finite(name: str, values: npt.ArrayLike) -> FloatArray:
     try:
-        array = np.asarray(values, dtype=np.float64)
+        array = np.asarray(values)
+        if array.dtype.kind not in "iuf" and array.size:
+            raise ValueError
+        array = array.astype(np.float64)
     except (TypeError, ValueError):
-        raise ValueError(f"{name}: expected numbers; given {type(values).__name__} of something else") from None
+        raise ValueError(f"{name}: expected numbers; given {shown_value(values)}") from None
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers; {int((~np.isfinite(array)).sum())} are not")
     return array

@@ -137,6 +137,12 @@ class Machine:
             del said[name]
         return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
+    def __str__(self) -> str:
+        """Its axes and how many errors it has."""
+        axes = [f"{axis} {low:g} to {high:g}" for axis, (low, high) in self.travel.items()]
+        count = f"{len(self.components)} error motions, {len(self.location_errors)} location errors"
+        return f"{self.name}: {self.title}; {', '.join(axes)}; {count}"
+
     def _repr_html_(self) -> str:
         """The bodies, for a notebook."""
         rows = []

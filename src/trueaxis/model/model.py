@@ -219,6 +219,9 @@ class MachineModel:
         result[rows] = moves
         return result
 
+    def __str__(self) -> str:
+        return str(self.machine)
+
     def _repr_html_(self) -> str:
         return self.machine._repr_html_()
 

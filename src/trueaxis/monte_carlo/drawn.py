@@ -113,7 +113,8 @@ class Tally:
 
 def drawn_of(tally: Tally, value: FloatArray, u: FloatArray) -> Drawn:
     """value, u: (3, n), mm, of linear propagation; u NaN where nothing determines it: no draws are given there."""
-    low, high = tally.quantile(LOW), tally.quantile(HIGH)
+    still = tally.deviation == 0.0  # no draw moves it, and a place within a bin would be none of it
+    low, high = (np.where(still, tally.mean, tally.quantile(share)) for share in (LOW, HIGH))
     ends = np.abs([value - COVERAGE * u - low[:3], value + COVERAGE * u - high[:3]]).max(axis=0)
     standard_error = np.sqrt(LOW * HIGH / tally.count) / _density(COVERAGE) * tally.deviation[:3]
     differing = ends > tolerance(u) + SAMPLING * standard_error

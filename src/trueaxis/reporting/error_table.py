@@ -61,6 +61,14 @@ def _largest(
     return float(found[worst]), u, float(positions[worst]), basis
 
 
+def errors_text(values: ErrorValues, covariance: Covariance, machine: Machine | None = None) -> str:
+    """The same as text."""
+    fit = "" if values.fit is None else f", fit {values.fit.state}"
+    with pl.Config(tbl_rows=-1, tbl_cols=-1, tbl_width_chars=-1, fmt_str_lengths=80, tbl_hide_dataframe_shape=True,
+                   tbl_hide_column_data_types=True, tbl_formatting="ASCII_MARKDOWN"):  # fmt: skip
+        return f"{values.machine}: error values{fit}\n{errors_frame(values, covariance, machine)}"
+
+
 def errors_html(values: ErrorValues, covariance: Covariance, machine: Machine | None = None) -> str:
     """The same for a notebook, with how the fit ended."""
     frame = errors_frame(values, covariance, machine)

@@ -130,9 +130,7 @@ def _machines(summary: Summary) -> FleetTable:
         sizes = [DASH if one is None else quantity(one, "mm") for one in
                  ((tool.rms, tool.largest, tool.u) if tool is not None else (None, None, None))]  # fmt: skip
         verdict = DASH if row.verdict is None else TEXT_OF.get(row.verdict, row.verdict)
-        causes = Cell(
-            (verdict, *(_cause_title(one.label) + ("" if one.certain else " (not certain)") for one in row.causes))
-        )
+        causes = Cell((verdict, *map(_named, row.causes)))
         moved = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
         fit = "failed" if row.faults else row.fit or DASH
         rows.append((_machine(row), _of(_when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
@@ -183,9 +181,9 @@ def _since(row: Row) -> str:
     return path.parent.name if row.against.startswith("../") and path.name == "errors.json" else path.name
 
 
-def fleet_text(rows: tuple[Row, ...], summary: Summary, made: int) -> str:
+def fleet_text(rows: tuple[Row, ...], summary: Summary, made: int, kept: int) -> str:
     """What was done, what failed, what has changed, which causes are shared. ASCII, for a console of any encoding."""
-    lines = [f"{_counts(rows, summary)}; {made} made now, {len(rows) - made} as before"]
+    lines = [f"{_counts(rows, summary)}; {made} made now, {kept} as before"]
     lines += _some([line for row in summary.failed for line in _fault_lines(row)])
     lines += _some(
         [f"misfit: {row.machine} {_when(row)}: the values do not fit their readings" for row in summary.misfits]
@@ -193,6 +191,9 @@ def fleet_text(rows: tuple[Row, ...], summary: Summary, made: int) -> str:
     lines += _some([f"changed: {one.row.machine} {_when(one.row)}: {_change(one)}" for one in summary.changed])
     lines += _some(
         [f"cause: {_cause_title(one.label)}: {', '.join(row.machine for row in one.rows)}" for one in summary.shared]
+    )
+    lines += _some(
+        [f"named: {row.machine} {_when(row)}: {_named(one)}" for row in summary.newest for one in row.causes]
     )
     return ascii_only("\n".join(lines)) + "\n"
 
@@ -214,6 +215,12 @@ def _cause_title(label: str) -> str:
     """`Backlash EYY` of `backlash EYY`."""
     text = label.replace("_", " ")
     return text[:1].upper() + text[1:]
+
+
+def _named(cause: CauseFound) -> str:
+    """`Backlash EYY, width 5.95 um`."""
+    sizes = [f"{name} {quantity(value, unit)}" for name, (value, _, unit) in cause.parameters.items()]
+    return ", ".join([_cause_title(cause.label), *sizes[:1]]) + ("" if cause.certain else " (not certain)")
 
 
 def _when(row: Row) -> str:

@@ -88,14 +88,14 @@ def placement_sentence(placement: Placement) -> str:
     )
 
 
-def draw_sentences(drawn: Drawn, count: int) -> list[str]:
-    """What draws say beside linear propagation, at so many points."""
-    points = int(drawn.differing.any(axis=0).sum())
+def draw_sentences(drawn: Drawn, count: int, with_noise: bool) -> list[str]:
+    """What draws say beside linear propagation, at so many points; with_noise: whether they have noise, u has none."""
+    points, whose = int(drawn.differing.any(axis=0).sum()), "u and the noise together" if with_noise else "u"
     if not points:
-        told = "its 95 % intervals agree with those of u to the digits that u has"
+        told = f"its 95 % intervals agree with those of {whose} to the digits that u has"
     else:
         told = (
-            f"at {points} of {count} points its 95 % interval is another than that of u, by up to "
+            f"at {points} of {count} points its 95 % interval is another than that of {whose}, by up to "
             f"{_um(drawn.farthest)}: take low and high there"
         )
     return [f"{drawn.count} draws (GUM Supplement 1): {told}"]

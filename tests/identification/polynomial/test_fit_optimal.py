@@ -151,7 +151,7 @@ def test_noise_alone_gets_an_empty_polynomial_that_says_so() -> None:
     assert fit.before.f_p_value > 0.05
     assert fit.after.powers == ()
     assert not fit.passed
-    assert "empty" in fit.verdict
+    assert fit.verdict.startswith("no polynomial describes the values")
     assert fit.after.at(X) == pytest.approx(np.zeros(28))
     assert fit.after.u_at(X) == pytest.approx(np.zeros(28))
 

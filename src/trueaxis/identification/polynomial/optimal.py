@@ -159,7 +159,7 @@ def _verdict_of(before: PolynomialFit, after: PolynomialFit, alpha: float) -> st
     if not after.powers:
         return (
             f"no polynomial describes the values at the {alpha:g} level "
-            f"(F test of the order-{len(before.powers)} equation: p = {before.f_p_value:.3g}): it is empty"
+            f"(F test of the order-{len(before.powers)} equation: p = {before.f_p_value:.3g})"
         )
     kept = ", ".join(f"x^{power}" if power > 1 else "x" for power in after.powers)
     return (
