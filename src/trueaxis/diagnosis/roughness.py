@@ -56,4 +56,5 @@ def roughness_of(model: MachineModel, null: Null) -> Roughness:
     base = base_of(model, null.rows, names)
     of_component = np.array(base.components)
     higher = {name: np.flatnonzero(of_component == name)[DEGREE:] for name in names}
-    return Roughness({name: base.machine.take(mine).whitened(null.whitening) for name, mine in higher.items()})
+    white = base.machine.whitened(null.whitening)  # once for all: what the columns are combined of is the same
+    return Roughness({name: white.take(mine) for name, mine in higher.items()})
