@@ -34,6 +34,21 @@ def test_it_is_where_a_gauge_moves_most(bench: Bench) -> None:
     assert json.loads(bench.report.to_json())["sign_check"]["since_home"] == check.since_home
 
 
+def test_it_is_at_the_end_of_a_block(bench: Bench) -> None:
+    """Within an arc or a cut line the error may be larger, and no block has words to go there."""
+    bump = XyzMachine({"EXX": lambda x: 0.02 * np.exp(-(((x - 50.0) / 30.0) ** 2))})
+    program = "G21 G90\nG0 X0. Y0. Z0.\nG1 X100. F500\nX10.\nG2 X90. Y0. I40. J0.\n"
+    for arcs in ("keep", "chords"):
+        bench.run(program, bump, arcs=arcs)
+        check = bench.report.sign_check
+        assert check is not None
+        assert check.position["X"] in (10.0, 90.0)
+    narrow = XyzMachine({"EXX": lambda x: 0.02 * np.exp(-(((x - 50.0) / 15.0) ** 2))})  # the ends have no error
+    bench.run(program, narrow)
+    assert bench.report.sign_check is not None
+    assert bench.report.sign_check.position["X"] == pytest.approx(50.0, abs=5.0)
+
+
 def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
     text = bench.run("G21 G90\nG0 X0. Y0. Z0.\nY200.\n", XyzMachine({"EYY": lambda y: -6e-5 * y}))
     # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-

@@ -1,11 +1,15 @@
 """What rows come to: changes that are more than chance in a fleet of that size, causes that machines share."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.stats import norm
 
 from trueaxis.fleets.row import CauseFound, Row, ValueFound
 from trueaxis.fleets.summary import changed_from, summary_of
+from trueaxis.jobs.fleet import FleetResult
 
 
 def row(machine: str, day: int, *causes: CauseFound, in_u: float | None = None, faults: tuple[str, ...] = ()) -> Row:
@@ -54,3 +58,22 @@ def test_causes_are_shared_by_what_they_are() -> None:
 def test_every_row_with_a_fault_failed() -> None:
     found = summary_of([row("A", 1, faults=("it is broken",)), row("A", 2), row("B", 1)])
     assert [one.data for one in found.failed] == ["d/2026-11-01"]
+
+
+def result_of(*rows: Row) -> FleetResult:
+    return FleetResult(rows=rows, summary=summary_of(rows), made=1, kept=0, files=(), folder=Path("out"))
+
+
+def test_what_is_named_is_told_with_its_size() -> None:
+    play = cause("backlash", "EYY", "backlash EYY")
+    found = result_of(row("A", 1, play), row("B", 1, replace(play, certain=False)), row("C", 1))
+    assert "named: A 2026-11-01: Backlash EYY, width 10.0 um\n" in str(found)
+    assert "named: B 2026-11-01: Backlash EYY, width 10.0 um (not certain)\n" in str(found)
+    assert "named: C" not in str(found)
+    assert found.good
+
+
+def test_values_that_do_not_fit_are_no_success() -> None:
+    misfit = replace(row("A", 2), fit="misfit")
+    assert not result_of(row("A", 1), misfit).good
+    assert result_of(replace(misfit, date="2026-10-01"), row("A", 3)).good  # newer values fit

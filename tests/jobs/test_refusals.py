@@ -170,6 +170,7 @@ WRONG: list[tuple[str, dict[str, Any], str]] = [
     ("compensate", {"start": {"X": "far"}}, "start['X']: expected a finite number; given 'far'"),
     ("compensate", {"start": {"C": 0.0}}, "this machine has no axis C"),
     ("compensate", {"pass_m": ("M70",)}, "pass_m: expected whole numbers"),
+    ("compensate", {"pass_g": "187"}, "pass_g: expected numbers, such as (187, 5.1); given '187'"),
     ("compensate", {"offsets": {"G53": {"X": 1.0}}}, "offsets: expected G54 to G59"),
     ("compensate", {"offsets": {"G54": {"W": 1.0}}}, "offsets['G54']: expected axes among X, Y, Z, A, B, C; given W"),
     ("compensate", {"offsets": {"G54": {"X": (5, 1)}}}, "offsets['G54']['X']: goes from 5 down to 1"),
@@ -194,7 +195,11 @@ WRONG: list[tuple[str, dict[str, Any], str]] = [
     ("report", {"model": "mill.toml"}, "model: expected a MachineModel, from load_model; given 'mill.toml'"),
     ("report", {"errors": "e.json"}, "errors: expected Errors, from load_errors or identify; given 'e.json'"),
     ("report", {"out": 5}, "out: expected a path or None; given 5"),
-    ("report", {"against": {}}, "against: expected Errors, from load_errors or identify or None; given of class dict"),
+    (
+        "report",
+        {"against": {}},
+        "against: expected Errors, from load_errors or identify or None; given a value of class dict",
+    ),
     ("diagnose", {"data": "runs"}, "data: expected a DataFolder, from load_data or simulate; given 'runs'"),
     ("diagnose", {"noise_um": "0.5"}, "noise_um: expected a number or None; given '0.5'"),
     ("identify", {"prior": "none"}, "prior: expected True or False; given 'none'"),
@@ -264,7 +269,7 @@ def test_numbers_and_tables_of_other_libraries_are_taken(model: ta.MachineModel,
     table = {"X": [10.0, 20.0], "Z": [5.0, 5.0]}
     tables: list[Any] = [pl.DataFrame(table), pd.DataFrame(table)]
     for positions in (*tables, {"X": np.array([10, 20]), "Z": np.float32(5.0)}):
-        assert (ta.predict(model, errors, positions, draws=None).deviation == wanted).all()
+        assert (ta.predict(model, errors, positions).deviation == wanted).all()
 
 
 def test_what_comes_back_is_printed_in_a_few_words(

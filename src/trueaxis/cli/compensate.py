@@ -38,8 +38,8 @@ or the program give; --tools gives tool lengths.
 Blocks that move nothing stay as they are, byte for byte. Arcs stay arcs where possible (--arcs); lines are cut where
 the errors along them bend; canned cycles are written out. Codes that move or shift axes in a way that is not followed
 (macros, cutter radius compensation, mirror, scaling, rotated frames ...) are faults with their lines, and nothing is
-written. So are M codes that do not mean the same on every control, unless --pass-m names them, and numbers without a
-decimal point, unless --integers gives their unit.
+written. So are M codes that do not mean the same on every control, unless --pass-m names them, G codes that are
+not known, unless --pass-g does, and numbers without a decimal point, unless --integers gives their unit.
 
 An axis has no known position until the program gives it one. Rapids before that are compensated as if the other axes
 stood at [start] of the spec, else at home; --start states where they stand. An axis that the program has not commanded
@@ -159,13 +159,9 @@ def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--peck-return", type=float, default=default.peck_return, metavar="MM",
                         help="how far G73 and G83 go back, and before the cut goes on, where they are written out "
                         "(default %(default)s, as on LinuxCNC)")  # fmt: skip
-    parser.add_argument(
-        "--pass-g",
-        type=g_codes,
-        default=(),
-        metavar="187,103",
-        help="G codes, unknown to the program, that move no axis and change no mode on this control",
-    )
+    parser.add_argument("--pass-g", type=g_codes, default=(), metavar="187,103",
+                        help="G codes that trueaxis does not know, and that move no axis and change no mode on this "
+                        "control")  # fmt: skip
     parser.add_argument("--pass-m", type=codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control; 0, 1 or 6: where axes stay "
                         "at stops or tool changes, so that they need not be commanded again")  # fmt: skip

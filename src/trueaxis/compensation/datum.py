@@ -127,7 +127,7 @@ class Zero:
             f"{option}=L{self.length:g}, the length being that of the tool which the program uses first: give that of "
             "the probe or tool that touched it off"
             if self.length
-            else f"{option}, with =L.. and the length of the probe or tool, if --tool-point is not its tip"
+            else f"{option}, with =L120 where it was a probe or tool of 120 mm from the point of --tool-point on"
         )
         return (
             f"at the zero of {system} ({at}) the error values displace the tool point by {named} um. If {system} was "

@@ -139,8 +139,7 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
 
 
 def _remedy(harm: str, dialect: str | None) -> str:
-    if harm is _RETURNS:
-        return "--pass-m does not pass it; M30 or M2 where the program ends"
-    if harm is not _SUBPROGRAM:
+    if harm not in (_SUBPROGRAM, _RETURNS):
         return NOT_PASSED
-    return f"--pass-m does not pass it; {_UNROLLED if dialect in (None, 'linuxcnc') else IN_PLACE}"
+    end = "M30 or M2 where the program ends; else " if harm == _RETURNS else ""
+    return f"--pass-m does not pass it; {end}{_UNROLLED if dialect in (None, 'linuxcnc') else IN_PLACE}"

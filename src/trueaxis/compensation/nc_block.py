@@ -15,7 +15,7 @@ _MACRO_CALLS = (650, 660, 661)  # G65 G66 G66.1: the other words are arguments
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 TO_PLC = "goes to the machine's own control (PLC), and is taken to move no axis"
-_OF_PASSED = frozenset("NDEHLPQR")
+_OF_UNKNOWN = frozenset("NDEHLPQR")  # letters that may be words of a code that is not known
 _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
 # what a code sets of a Meaning, and to what
 _SETTING: dict[int, tuple[str, int | bool | str]] = {
@@ -61,7 +61,7 @@ def interpret(
     meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
     centre = any(word.letter in _CENTRE for word in others)
     meaning.turns = settings.dialect == "linuxcnc" and centre and meaning.motion in (None, 2, 3)
-    alone = bool(meaning.passed) and {word.letter for word in others} <= _OF_PASSED
+    alone = bool(meaning.unknown) and {word.letter for word in others} <= _OF_UNKNOWN
     for word in () if alone else others:
         _other(word, meaning, machine_axes, settings.dialect == "siemens")
     if meaning.frame and meaning.data:
@@ -84,13 +84,13 @@ def interpret(
 
 
 def _passed(meaning: Meaning, alone: bool) -> None:
-    """A code that the user vouches for; alone: with words only that may belong to it."""
-    if not meaning.passed or meaning.complaints:
+    """A code that is not known and the user vouches for; alone: with words only that may belong to it."""
+    if not meaning.unknown or meaning.complaints:
         return
     if alone:
-        meaning.notes.append(f"{meaning.passed} passes as --pass-g says: it moves no axis and changes no mode")
+        meaning.notes.append(f"{meaning.unknown} passes as --pass-g says: it moves no axis and changes no mode")
     else:
-        beside = f"{meaning.passed}, which --pass-g names, beside axis words or other codes"
+        beside = f"{meaning.unknown}, which --pass-g names, beside axis words or other codes"
         meaning.complain(beside, "a block of its own")
 
 
@@ -166,7 +166,7 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
     elif code not in codes.HARMLESS | codes.HARMLESS_ON.get(dialect, frozenset()) and code != codes.RESTORE_SHIFT:
-        meaning.passed = name
+        meaning.unknown = name
         if value not in settings.pass_g:
             meaning.complain(f"{name} is not a known code", codes.PASS_G.format(f"{value:g}"))
     meaning.codes.add(codes.SAME_ON.get(dialect, {}).get(code, code))

@@ -123,7 +123,8 @@ class CycleReader:
 
     def _frame(self) -> Hashable:
         """The frame of the axis that drills."""
-        return None if (row := self._state.row.get(self._depth)) is None else self._state.frames.ids[row]
+        row = self._state.row.get(self._depth)
+        return None if row is None else self._state.frames.ids[row]
 
     def _problem(self, cycle: Cycle, named: set[str], meaning: Meaning) -> tuple[str, str] | None:
         """What is wrong with a block of a cycle."""

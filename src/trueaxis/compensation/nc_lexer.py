@@ -136,7 +136,7 @@ class Meaning:
     look_ahead: a code (times ten) of looking ahead, 0: none. turns: whether P counts turns of an arc (LinuxCNC).
     point_control: whether it switches tool centre point control on or off.
     ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
-    would be no shift; notes: remarks on the block. passed: a G code that is not known.
+    would be no shift; notes: remarks on the block. unknown: a G code that is none of those known.
     tool: the T word, as `T2`; tool_name: of a tool that is called by its name. changes_tool: whether the block may
     change the tool, see tool_changes. in_spindle: the tool that it says to be in the spindle (M61 of LinuxCNC).
     """
@@ -176,7 +176,7 @@ class Meaning:
     turns: bool = False
     ways: dict[str, bool] = field(default_factory=dict)
     frame: str = ""
-    passed: str = ""
+    unknown: str = ""
     notes: list[str] = field(default_factory=list)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 

@@ -24,7 +24,7 @@ _LABEL = re.compile(r"[A-Za-z_][A-Za-z0-9_]++:(?!=)[ \t]*+")
 _WAY = re.compile(rf"([XYZABCIJK])[ \t]*+=[ \t]*+(AC|IC)[ \t]*+\([ \t]*+({NUMBER})[ \t]*+\)", re.IGNORECASE)
 _ASSIGNED = re.compile(rf"(CR|[XYZABCIJKFSTDMN])[ \t]*+=[ \t]*+({NUMBER})(?![\w(*/+.$-])", re.IGNORECASE)
 _SPINDLE = re.compile(r"[MS][0-9]{1,2}[ \t]*+=[ \t]*+([0-9]++(?:\.[0-9]*+)?)(?![\w(*/+.$-])", re.IGNORECASE)
-_TOOL_NAME = re.compile(r'T[ \t]*+=[ \t]*+"[^"]*+"', re.IGNORECASE)
+_TOOL_NAME = re.compile(r'T[ \t]*+=[ \t]*+"([^"]*+)"', re.IGNORECASE)
 _PLAIN = re.compile(rf"([A-Za-z])[ \t]*+({NUMBER})(?![ \t]*+=)")
 _KEYWORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*+")
 _ARGUMENTS = re.compile(r"[ \t]*+\([^()\"]*+(?:\"[^\"]*+\"[^()\"]*+)*\)")
@@ -118,7 +118,7 @@ def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
 def _call(body: str, place: int) -> tuple[Function, int] | None:
     """A tool by its name, or a subprogram by its number, and where that ends."""
     if named := _TOOL_NAME.match(body, place):
-        return Function(TOOL_BY_NAME, named[0]), named.end()
+        return Function(TOOL_BY_NAME, named[1]), named.end()
     if called := _SUBPROGRAM.match(body, place):
         return Function(called[1].upper(), None), called.end()
     return None
@@ -192,7 +192,7 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name in _ROUNDING:
         meaning.notes.append(f"{name}: {codes.ROUNDS}")
     elif name == TOOL_BY_NAME:
-        meaning.tool_name = (arguments or "").partition("=")[2].strip().strip('"')
+        meaning.tool_name = arguments or ""
     elif name == "CYCLE800" and arguments == "()":
         meaning.notes.append(END_OF_TILT)
     elif name in _FAULTY:

@@ -77,7 +77,7 @@ class SignChecker:
         self._model, self._tool_point = model, tool_point
         self._home = home_of(model)
         self._at_home = model.deviation(self._home[:, None], tool_point)
-        self._largest = {False: least, True: least}  # in feed motions; elsewhere
+        self._largest = [least] * 3  # at ends of feed motions; within them; at ends of rapids
         self.found: SignCheck | None = None
 
     def use(self, tool_point: FloatArray) -> None:
@@ -92,17 +92,15 @@ class SignChecker:
         """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written; left_out:
         (n,), points whose commands are not those of the compensation alone; datum: (3, 1), what corrections count from.
 
-        Points of feed motions come first: that is where the part is cut. Only ends of blocks count, whose words an
-        operator can type in.
+        Feed motions come first, where the part is cut, and of them the ends, whose words are in the program.
         """
-        within = np.append(np.diff(path.owner) == 0, np.zeros(min(path.size, 1), dtype=bool))
-        for rapid in (False, True):
-            none = left_out | within | (path.rapid != rapid)
-            since = np.where(none, 0.0, np.nan_to_num(deviation - self._at_home))
-            direction, point = np.unravel_index(np.argmax(np.abs(since)), since.shape)
-            size = float(abs(since[direction, point]))
-            if size > self._largest[rapid]:
-                self._largest = {True: np.inf, rapid: size} if not rapid else self._largest | {True: size}
+        since = np.where(left_out, 0.0, np.abs(np.nan_to_num(deviation - self._at_home)))
+        ends = np.diff(path.owner, append=-1) != 0
+        for rank, mine in enumerate((~path.rapid & ends, ~path.rapid, path.rapid)):
+            direction, point = np.unravel_index(np.argmax(since * mine), since.shape)
+            size = float((since * mine)[direction, point])
+            if size > self._largest[rank]:
+                self._largest[rank:] = [size] + [np.inf] * (2 - rank)
                 self._note(path, deviation, commands, lines, (int(direction), int(point)), datum)
 
     def _note(

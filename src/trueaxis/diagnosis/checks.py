@@ -21,6 +21,7 @@ DEGREE = 6
 LOBES = 10
 RIPPLE = 30  # lobes of a circle, half periods on a line: up to so many, beyond the coarse ones
 BINS = 6
+LATE = 3  # powers of the time over all runs: a start, an end, and a turn between
 LOOKS = 2  # at each structure: by the noise that was estimated, and by what it leaves itself
 
 
@@ -54,11 +55,11 @@ def run_checks(
         if k == 0:
             continue
         statistic = float(fitted @ fitted)
-        log_p, of_all = log_f_tail(statistic / k, k, of_noise), 1.0
+        log_p, variance = log_f_tail(statistic / k, k, of_noise), 1.0
         if (beside := _beside(fitted[there], residual[there], float(left[there].sum()), k))[0] < log_p:
-            log_p, of_all = beside
+            log_p, variance = beside
         log_p += np.log(len(classes) * LOOKS)
-        excess = statistic - of_all * k
+        excess = statistic - variance * k
         beyond = max(excess, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
@@ -114,17 +115,18 @@ def structures(readings: Readings) -> Iterator[Structure]:
     for number in np.unique(rows.setup[ballbar]):
         mine = ballbar & (rows.setup == number)
         yield from _of_circles(rows, theta, mine)
-    for number, name in enumerate(readings.model.components):
-        yield from _of_error(rows, ErrorName(name), readings.sensitivity[number])
+    moving = [_moved_in(rows, axis) for axis in range(len(rows.axes))]
+    for name, lever in zip(readings.model.components, readings.sensitivity, strict=False):  # locations come behind
+        yield from _of_error(rows, name, lever, moving[rows.axes.index(name.axis)])
 
 
-def _of_error(rows: Rows, name: ErrorName, lever: FloatArray) -> Iterator[Structure]:
-    """What an error may do that no curve over the position is, as all instruments sense it; lever: (n,), mm or mm per
-    rad by which readings do.
+def _of_error(rows: Rows, name: ErrorName, lever: FloatArray, moving: BoolArray) -> Iterator[Structure]:
+    """What an error may do that no curve over the position is, as all instruments sense it; lever: (n,), change of each
+    reading per unit of the error, mm/mm or mm/rad; moving: (n,), rows of runs in which its axis moves.
     """
     axis = rows.axes.index(name.axis)
     seen = lever != 0.0
-    moved = _moved_in(rows, axis) & seen
+    moved = moving & seen
     if not moved.any():
         return
     at, way = rows.positions[axis], rows.directions[axis]
@@ -138,7 +140,7 @@ def _of_error(rows: Rows, name: ErrorName, lever: FloatArray) -> Iterator[Struct
         yield Structure(StructureClass.ERROR_AFTER_REVERSALS, name, curve * odd * after[:, np.newaxis])
     course = [_course(rows, moved)]
     if np.isfinite(rows.context.time[seen]).all():
-        late = np.asarray(legendre.legvander(_scaled(rows.context.time, seen), 3)[:, 1:], dtype=np.float64)
+        late = np.asarray(legendre.legvander(_scaled(rows.context.time, seen), LATE)[:, 1:], dtype=np.float64)
         course += [late, late * _scaled(at, seen)[:, np.newaxis]]  # the zero of a run hides what no position changes
     yield Structure(StructureClass.ERROR_COURSE, name, np.hstack(course) * lever[:, np.newaxis])
 
@@ -170,8 +172,8 @@ def _led_by(rows: Rows, axis: int) -> BoolArray:
 
 def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Structure]:
     at, way = rows.positions[axis], rows.directions[axis]
-    scaled = 2.0 * (at - at[mine].min()) / max(float(np.ptp(at[mine])), 1e-300) - 1.0
-    curve = legendre.legvander(np.where(mine, scaled, 0.0), 2 * DEGREE) * mine[:, np.newaxis]
+    scaled = _scaled(at, mine)
+    curve = legendre.legvander(scaled, 2 * DEGREE) * mine[:, np.newaxis]
     lines = [mine & (rows.setup == number) for number in np.unique(rows.setup[mine])]
     odd = way[:, np.newaxis]
     yield Structure(StructureClass.LINE_DIRECTION, name, curve * odd)

@@ -92,7 +92,7 @@ def settings_of(given: CompensationSettings) -> dict[str, Any]:
     if "pass_m" in settings:
         settings["pass_m"] = _codes(settings["pass_m"])
     if "pass_g" in settings:
-        settings["pass_g"] = tuple(sorted(map(float, settings["pass_g"])))
+        settings["pass_g"] = _g_codes(settings["pass_g"])
     return settings
 
 
@@ -155,6 +155,13 @@ def _codes(value: Sequence[int]) -> tuple[int, ...]:
     if not all(isinstance(code, int) and code >= 0 for code in codes):
         raise ValueError(f"pass_m: expected whole numbers, such as (70, 110); given {value!r}")
     return tuple(sorted(set(codes)))
+
+
+def _g_codes(value: Sequence[float]) -> tuple[float, ...]:
+    codes = tuple(value)
+    if not all(isinstance(code, int | float) and code >= 0 for code in codes):
+        raise ValueError(f"pass_g: expected numbers, such as (187, 5.1); given {value!r}")
+    return tuple(sorted({float(code) for code in codes}))
 
 
 def _range(name: str, value: Zero) -> Range:

@@ -1,4 +1,4 @@
-"""Arguments of another class, told as `errors: expected Errors, from load_errors or identify; given a str`."""
+"""Arguments of another class, told as `errors: expected Errors, from load_errors or identify; given 'e.json'`."""
 
 import inspect
 from collections.abc import Callable, Mapping, Sequence
@@ -10,17 +10,17 @@ from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 
 import numpy as np
 
+from trueaxis.machine.fields import shown
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
-# where a record comes from, by the name of its class
+# how a record is called, and where it comes from, by the name of its class; others are called by that
 _FROM: Mapping[str, str] = {
     "MachineModel": "a MachineModel, from load_model",
     "Machine": "a Machine, from load_machine",
     "Errors": "Errors, from load_errors or identify",
-    "ErrorValues": "ErrorValues",
     "DataFolder": "a DataFolder, from load_data or simulate",
-    "Draws": "Draws",
     "Context": "a Context",
 }
 _PLAIN: Mapping[type, tuple[type, str]] = {
@@ -40,16 +40,15 @@ def typed(function: Callable[P, R]) -> Callable[P, R]:
     function itself says what is wrong with them.
     """
     signature = inspect.signature(function)
+    named = [one for one in signature.parameters.values() if one.kind not in (one.VAR_KEYWORD, one.VAR_POSITIONAL)]
+    wanted = {one.name: choices for one in named if (choices := _choices(one.annotation)) is not None}
 
     @wraps(function)
     def checked(*args: P.args, **kwargs: P.kwargs) -> R:
         for name, value in signature.bind(*args, **kwargs).arguments.items():
-            one = signature.parameters[name]
-            if one.kind in (one.VAR_KEYWORD, one.VAR_POSITIONAL):
-                continue
-            wanted = _choices(one.annotation)
-            if wanted is not None and value is not one.default and not any(_is(value, each) for each in wanted):
-                raise ValueError(f"{name}: expected {_named_all(wanted)}; given {shown_value(value)}")
+            choices = wanted.get(name, ())
+            if choices and not any(_is(value, one) for one in choices):
+                raise ValueError(f"{name}: expected {_named_all(choices)}; given {shown_value(value)}")
         return function(*args, **kwargs)
 
     return checked
@@ -61,7 +60,7 @@ def _choices(annotation: Any) -> tuple[Any, ...] | None:
     found: list[Any] = []
     for part in parts:
         origin = get_origin(part)
-        if get_origin(part) in (Union, UnionType):
+        if origin in (Union, UnionType):
             inner = _choices(part)
             if inner is None:
                 return None
@@ -74,7 +73,7 @@ def _choices(annotation: Any) -> tuple[Any, ...] | None:
 
 
 def _is_record(part: object) -> bool:
-    return isinstance(part, type) and part.__module__.startswith("trueaxis.") and part.__qualname__ != "Protocol"
+    return isinstance(part, type) and part.__module__.startswith("trueaxis.")
 
 
 def _is(value: object, wanted: Any) -> bool:
@@ -114,6 +113,5 @@ def _named(wanted: Any) -> str:
 
 
 def shown_value(value: object) -> str:
-    """The value where it is short, and its class."""
-    name = type(value).__name__
-    return f"{value!r}" if isinstance(value, str | float | int | bool) and len(repr(value)) < 40 else f"of class {name}"
+    """A text, a number or a truth value, shortened; else its class."""
+    return shown(value) if isinstance(value, str | float | int) else f"a value of class {type(value).__name__}"
