@@ -32,6 +32,8 @@ def test_readings_are_in_the_order_of_the_standard() -> None:
 
 
 OF_DIRECTION = {
+    StructureClass.ERROR_DIRECTION,
+    StructureClass.ERROR_AFTER_REVERSALS,
     StructureClass.LINE_DIRECTION,
     StructureClass.LINE_RIPPLE,
     StructureClass.LINE_LOCAL,
