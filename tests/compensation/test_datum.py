@@ -205,7 +205,7 @@ def test_the_sign_check_is_of_the_machine_whatever_the_datum(bench: Bench) -> No
     ("text", "problem"),
     [
         ("G54:Z", r"nothing says where X Y was touched off"),
-        ("G56", r"G56: where its zero is is not known; --offset G56=X"),
+        ("G56", r"G56: where its zero lies is not known; --offset G56=X"),
         ("G54=Z-5000", r"Z = -5000 is outside its travel, from -1000 to 1000"),
         ("G54=C5", r"this machine has no axis C"),
     ],

@@ -107,7 +107,7 @@ def test_a_control_begins_in_g54(bench: Bench) -> None:
 
 
 def test_an_offset_that_is_not_known(bench: Bench) -> None:
-    with pytest.raises(InputError, match=r"line 2: G56: where its zero is is not known; say --offset G56=X") as error:
+    with pytest.raises(InputError, match=r"line 2: G56: where its zero lies is not known; say --offset G56=X") as error:
         bench.run("G21 G90\nG56 G0 X1. Y1. Z1.\n", offsets=KNOWN)
     assert len(error.value.faults) == 1
     with pytest.raises(InputError, match="G54"):

@@ -72,7 +72,7 @@ def test_a_tool_by_its_name_is_that_of_its_number(bench: Bench) -> None:
         ("ROT RPL=45", r"'RPL=45' turns the coordinates, which is not followed"),
         ("G2 X5 Y5 I1 J0 TURN=2", r"'TURN=2' adds turns to an arc"),
         ("G504", "G504 is not a known code"),
-        ("G506 G0 X1", "G506: where its zero is is not known; say --offset G506="),
+        ("G506 G0 X1", "G506: where its zero lies is not known; say --offset G506="),
     ],
 )
 def test_what_does_is_named(bench: Bench, block: str, problem: str) -> None:

@@ -236,7 +236,7 @@ def test_offsets_are_to_be_known_exactly(fake: FakePackage) -> None:
     """What is written is in machine coordinates: an offset that is 10 mm wrong would put the tool 10 mm wrong."""
     made = [call("SET_G5X_OFFSET", 2), motion("rapid", 4, [1.0, 2.0, 3.0]), END]
     with pytest.raises(
-        InputError, match=r"line 4: G55: where its zero is is not known; say --offset G55=X\.\.,Y\.\.,Z\.\., exactly"
+        InputError, match=r"line 4: G55: where its zero lies is not known; say --offset G55=X\.\.,Y\.\.,Z\.\., exactly"
     ):
         fake.unroll(made)
     ranged = Offsets({"G55": {"X": (0.0, 500.0)}}, {}, "G55")

@@ -144,7 +144,7 @@ class CycleWriter:
         if kind != Kind.RAPID and (missing := missing_axes(state, state.position, end, set(ends))):
             state.motion = None
             if not self._wrong:
-                self.fault(*unknown_position(" ".join(state.axes[row] for row in missing)))
+                self.fault(*unknown_position(state, missing))
             return False
         elsewhere = starts_elsewhere(self._number, state, written, "", self._faults)
         state.motion = None

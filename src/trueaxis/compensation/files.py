@@ -83,6 +83,9 @@ class _Lines:
             if not text.endswith(b"\n"):
                 text += self._file.readline(LONGEST_LINE + 1)
             before = self.count
+            if b"\0" in text:
+                self._faults.add(before + text[: text.index(b"\0")].count(b"\n") + 1, "a byte of zero: no text file")
+                return
             if max(map(len, text.split(b"\n"))) >= LONGEST_LINE and self._too_long(text):
                 return
             self.count += text.count(b"\n") + (not text.endswith(b"\n"))

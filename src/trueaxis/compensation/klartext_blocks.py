@@ -130,6 +130,8 @@ def codes_alone(content: str) -> KlartextBlock | None:
         retracting = lex_klartext(f"L {alone}")
         return retracting._replace(verb="") if not retracting.coordinates else None
     words = content.split()
+    if len(words) == 2 and words[0].upper() == "M128" and re.fullmatch(rf"[Ff]{NUMBER}", words[1]):
+        words.pop()  # by how fast the linear axes follow the rotary ones at most
     if not words or not all(word[0] in "Mm" and word[1:].isdigit() for word in words):
         return None
     return KlartextBlock(codes=tuple(int(word[1:]) for word in words), others=tuple(words))

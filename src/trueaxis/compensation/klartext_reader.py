@@ -35,6 +35,7 @@ from trueaxis.compensation.nc_modes import switch
 from trueaxis.compensation.nc_motion import in_its_frame
 from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.offsets import NOT_KNOWN
 from trueaxis.compensation.settings import Settings
 
 _POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
@@ -66,6 +67,7 @@ class KlartextReader:
                 continue  # the block goes on in the next line
             yield from self._block(first, held)
             first, held = 0, ""
+        self._frames.note_end("END PGM, M2 or M30")
         if held:
             self._faults.add(first, "the block goes on after ~, and the program ends")
 
@@ -132,7 +134,7 @@ class KlartextReader:
     def _take_preset(self, number: int, preset: str) -> None:
         if self._preset and preset != self._preset:
             self._faults.add_unplaced(
-                number, f"preset {preset} after preset {self._preset}: where its zero is is not known",
+                number, f"preset {preset} after preset {self._preset}: {NOT_KNOWN}",
                 "a program for each preset",
             )  # fmt: skip
         self._preset = preset
@@ -252,7 +254,7 @@ class KlartextReader:
         motion = 0 if block.rapid and not circular else 1
         state.motion = 2 if circular else motion
         if missing := missing_axes(state, start, end, named):
-            self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in missing)))
+            self._faults.add(number, *unknown_position(state, missing))
             state.position = [0.0 if value is None else value for value in end]
             return None
         if not machine:

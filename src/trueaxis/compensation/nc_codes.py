@@ -96,7 +96,7 @@ class Refused(NamedTuple):
     remedy: str
 
 
-_MACHINE = "write the program in machine coordinates without it before compensating"
+_MACHINE = "write the program without it before compensating"
 _MOTIONS = "have its motions written out as G0, G1, G2 and G3"
 _OFFSET = Refused("gives the positions in a shifted frame", _MACHINE)
 _TOOL = Refused("shifts positions by a tool value that is not in the program", _MACHINE)
@@ -107,6 +107,8 @@ _RADIUS = Refused(
 _CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIONS)
 _PATTERN = Refused("is a hole pattern or a thread: its motions are not in the program", _MOTIONS)
 _HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
+_STORED = Refused("stores where the axes stand as a reference point", "take it out, and state the point in the spec")
+_HAAS = Refused("selects a work offset (Haas), or more than that", "write G54 to G59 or G54.1 P, and say --offset")
 _CURVE = Refused("is a curve that is not followed", _MOTIONS)
 _PROBE = Refused("probes: where the axes stop is not in the program", "take it out before compensating")
 _MACRO = Refused("calls a macro, which is not followed", _MOTIONS)
@@ -131,7 +133,7 @@ FAULTY: dict[int, Refused] = {
     220: Refused("limits the stroke (Fanuc), reads radii (Siemens) or starts a cycle", "take it out"),
     230: Refused("ends a limit of the stroke (Fanuc) or reads diameters (Siemens)", "take it out"),
     270: Refused("moves to a reference position (Fanuc), or departs tangentially (Heidenhain)", _MOTIONS),
-    281: _HOME, 290: _HOME, 301: _HOME,
+    281: _STORED, 290: _HOME, 301: _STORED,
     310: Refused("skips the rest of a motion on a signal (Fanuc), or defines the blank (Heidenhain)", "take it out"),
     330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
     370: Refused("measures the tool (Fanuc) or defines a pocket (Heidenhain)", "take it out before compensating"),
@@ -159,6 +161,11 @@ FAULTY: dict[int, Refused] = {
                  "write G97 with a speed"),
     1070: Refused("interpolates on a cylinder", _MOTIONS),
     1121: Refused("interpolates in polar coordinates", _MOTIONS),
+    **{10 * code: _HAAS for code in (*range(110, 130), 154)},
+    1010: Refused("mirrors the positions (Haas)", _MACHINE),
+    1500: Refused("is a pocket cycle (Haas)", _MOTIONS),
+    2340: Refused("switches tool centre point control on (Haas)", "write G43.4 H"),
+    2540: Refused("turns positions with the rotary axes (Haas)", _MACHINE),
 }  # fmt: skip
 
 NOT_KNOWN = "only codes whose effect on positions is known are accepted"

@@ -5,11 +5,12 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Notes, Setup, Zero
 from trueaxis.compensation.nc_lexer import Block, Meaning, block_text
 from trueaxis.compensation.nc_state import Commanded, NcState
-from trueaxis.compensation.offsets import NUMBERED
+from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED
 from trueaxis.compensation.settings import Settings
 
 _OF_ALL = 6  # G54 to G59 exist on all controls; the others of `NUMBERED` on LinuxCNC alone
-NOT_KNOWN = "where its zero is is not known"
+NONE = "no work offset is given or selected: positions count as machine coordinates; else say --offset G54=X..,Y..,Z.."
+CUT_OFF = "the program ends without {}: is it whole?"
 FIRST = "no work offset is selected yet: G54 is taken to be in force"
 _LINUXCNC = "say --dialect linuxcnc if that is the control"
 
@@ -74,6 +75,15 @@ class FrameReader:
         if not self._said and frames.system and frames.offsets.active is None:
             self._notes.add(number, FIRST)
             self._said = True
+
+    def note_end(self, end: str) -> None:
+        """Note, behind a program, that it moves without any work offset, and that it has no end where one is due: what
+        ends such a program, or empty.
+        """
+        if self._state.moved and not self._said and not self._state.frames.system:
+            self._notes.add(0, NONE)
+        if end and not self._state.ended:
+            self._notes.add(0, CUT_OFF.format(end))
 
     def _whole(self, number: int, name: str) -> None:
         """A fault, once, where a work offset under which the program moves lacks the value of a linear axis."""

@@ -180,7 +180,7 @@ class MotionReader:
             self._state.position = self._state.after(meaning.axes)
 
     def _unknown(self, number: int, missing: list[int], end: list[float | None]) -> None:
-        self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in missing)))
+        self._faults.add(number, *unknown_position(self._state, missing))
         self._state.position = [0.0 if value is None else value for value in end]  # said once
 
 
@@ -282,6 +282,7 @@ def to_reference(
         position[row] = point.get(axis)
         stands[row] = point.get(axis, math.nan)
     state.position = position
+    state.lost.update(lost)
     state.commanded.lose(lost)
     state.commanded.name([state.row[axis] for axis in axes if axis in point], Commanded.BY_INCREMENTS)
     return [Start(tuple(stands))]

@@ -91,6 +91,7 @@ class NcReader:
                     yield move
                 else:
                     yield from self._any(name, line)
+        self._frames.note_end("M2, M30 or % again" if state.percents else "")
 
     def _of_source(self, run: PlainRun) -> PlainRun:
         """A run with the lines by which it is named."""

@@ -150,9 +150,8 @@ class NcState:
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; before_cycle: the motion that was before it; at_initial_level: G98; spindle: M3 or
     M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
-    last block that shows it.
-    path: path mode, for LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to
-    be noted at the next motion.
+    last block that shows it. lost: axes that have been where the program does not say. path: path mode, for LinuxCNC.
+    point_control: whether positions are those of the tip. due: whether something is to be noted at the next motion.
     """
 
     axes: tuple[str, ...]
@@ -176,6 +175,7 @@ class NcState:
     spindle: str = ""
     shift: tuple[float, ...] = ()
     gap: str = " "
+    lost: set[int] = field(default_factory=set)
     path: PathMode = field(default_factory=PathMode)
     point_control: bool = False
     due: bool = False
@@ -200,6 +200,7 @@ class NcState:
         """Axes of these rows may stand anywhere from now on."""
         for row in rows:
             self.position[row] = None
+        self.lost.update(rows)
         self.commanded.lose(rows)
         return Start(tuple(math.nan if row in rows else None for row in range(len(self.axes))))
 
@@ -272,10 +273,14 @@ def missing_axes(
     return found
 
 
-def unknown_position(names: str) -> tuple[str, str]:
-    """The fault of a feed motion while axes (letters, parted by spaces) may stand anywhere, and what would be right."""
-    given = "".join(f"{axis}0" for axis in names.split())
-    return (
-        f"the position of {names} is not known here, and the errors depend on it",
-        f"give it in the program or by --start {given} (with its value)",
-    )
+def unknown_position(state: NcState, rows: Sequence[int]) -> tuple[str, str]:
+    """The fault of a feed motion while axes may stand anywhere, and what would be right."""
+    problem = f"the position of {' '.join(state.axes[row] for row in rows)} is not known here"
+    if lost := [state.axes[row] for row in rows if row in state.lost]:
+        went = "a reference point not in the spec, the end of tool centre point control, a stop or a tool change"
+        return (
+            f"{problem} since {went}, and the errors depend on it",
+            f"a rapid with {' '.join(lost)} before this block",
+        )
+    given = "".join(f"{state.axes[row]}0" for row in rows)
+    return f"{problem}, and the errors depend on it", f"give it in the program or by --start {given} (with its value)"

@@ -19,6 +19,7 @@ _NAME = re.compile(r"G0*(5[4-9](?:\.[1-3])?)(?:\s*P0*(\d{1,3}))?", re.IGNORECASE
 _FURTHER = re.compile(r"G5(?:0[5-9]|[1-9]\d)", re.IGNORECASE)  # of SINUMERIK
 RIGHT_NAME = "G54 to G59, G59.1 to G59.3, G54.1P1 and on, or G505 to G599"
 LARGEST = 1e5  # mm, deg: as positions
+NOT_KNOWN = "where its zero lies is not known"
 
 Range = tuple[float, float]  # lowest and highest value, mm or deg; the same where it is known
 

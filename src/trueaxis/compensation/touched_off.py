@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from itertools import groupby
 
 from trueaxis.compensation.machine import LINEAR, ErrorModel, linear_rows
-from trueaxis.compensation.offsets import LARGEST, RIGHT_NAME, Offsets, middle, system_name
+from trueaxis.compensation.offsets import LARGEST, NOT_KNOWN, RIGHT_NAME, Offsets, middle, system_name
 from trueaxis.io.faults import Fault
 
 OPTION = "--touched-off"
@@ -64,7 +64,7 @@ def faults_of(touched: Iterable[TouchedOff], model: ErrorModel, offsets: Offsets
         named = [axis for one in of_system for axis in one.directions if axis in linear]
         if system not in offsets.systems:
             given = system.replace(" ", "")
-            found.append(Fault(OPTION, system, "where its zero is is not known", f"--offset {given}=X..,Y..,Z.."))
+            found.append(Fault(OPTION, system, NOT_KNOWN, f"--offset {given}=X..,Y..,Z.."))
             continue
         if twice := sorted({axis for axis in named if named.count(axis) > 1}):
             found.append(Fault(OPTION, system, f"{' '.join(twice)} is touched off twice", "each direction once"))

@@ -32,7 +32,7 @@ from trueaxis.compensation.linuxcnc_source import (
 )
 from trueaxis.compensation.linuxcnc_state import Round, known_parameters, point_faults, rounds_of
 from trueaxis.compensation.machine import LINEAR
-from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width
+from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED, Offsets, half_width
 from trueaxis.compensation.settings import BlockDelete
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import Fault, InputError
@@ -147,7 +147,7 @@ def _check_offsets(records: Sequence[Record], offsets: Offsets, axes: Sequence[s
         given = offsets.systems.get(system, {})
         if missing := [axis for axis in linear if axis not in given]:
             named = f"{system} {' '.join(missing)}" if given else system
-            problem, remedy = f"{named}: where its zero is is not known", f"say --offset {system}=X..,Y..,Z.., exactly"
+            problem, remedy = f"{named}: {NOT_KNOWN}", f"say --offset {system}=X..,Y..,Z.., exactly"
             faults.append(Fault(name, f"line {line}", problem, remedy))
     if any(half_width(values) for system in used for values in offsets.systems.get(system, {}).values()):
         faults.append(Fault("--offset", "", "a range does not go with --via-linuxcnc", "the value itself"))
