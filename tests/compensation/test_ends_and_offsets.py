@@ -53,18 +53,10 @@ def test_codes_of_a_builder_that_shift_or_move_cannot_be_passed(bench: Bench, co
 def test_after_a_reference_point_the_remedy_is_a_block_not_an_option(bench: Bench) -> None:
     text = "G21 G90\nG0 X1. Y1. Z1.\nG91 G28 Z0.\nG90 G1 X2. F100\n"
     with pytest.raises(
-        InputError, match=r"line 4: the position of Z is not known here since .*; a rapid with Z"
+        InputError, match=r"line 4: the position of Z is not known here after a reference point .*; a rapid with Z"
     ) as error:
         bench.run(text, bent(), start={"X": 0.0, "Y": 0.0, "Z": 0.0})
     assert "--start" not in str(error.value)
-
-
-def test_tool_centre_point_control_may_state_how_fast_it_follows(bench: Bench) -> None:
-    with pytest.raises(InputError) as plain:
-        bench.run(KLARTEXT.format("M128\nEND PGM T MM\n"), bent())
-    with pytest.raises(InputError) as with_feed:
-        bench.run(KLARTEXT.format("M128 F5000\nEND PGM T MM\n"), bent())
-    assert str(with_feed.value) == str(plain.value)  # of a machine without rotary axes
 
 
 def test_a_file_that_is_no_text_is_told_once(bench: Bench) -> None:

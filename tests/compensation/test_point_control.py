@@ -145,6 +145,16 @@ def test_the_tip_is_right_by_a_control_that_solves_the_chain(
         assert (word in source) == (word in written)
 
 
+def test_how_fast_the_linear_axes_follow_changes_no_position(tmp_path: Path) -> None:
+    machine, source = FiveAxes(TEXTS["head and table"]), program_of("heidenhain", "BC")
+    (_, plain), (_, with_feed) = [
+        run(tmp_path, source.replace("L M128", words), machine, "heidenhain") for words in ("M128", "M128 F5000")
+    ]
+    assert "M128 F5000" in with_feed
+    assert with_feed.replace("M128 F5000", "M128") == plain
+    assert plain != source.replace("L M128", "M128")
+
+
 def test_positions_are_lost_at_the_switch_unless_rotary_axes_stand_at_0(tmp_path: Path) -> None:
     machine = FiveAxes(TEXTS["table-table"])
     head = "G21 G90\nT1 M6\nG0 X0. Y0. Z0. A10. C0.\nG43.4 H1\n"

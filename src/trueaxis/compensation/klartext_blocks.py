@@ -26,7 +26,6 @@ _LONG = re.compile(r"(?<![\d.])\d{10,}")
 _BLANK = re.compile(r"[ \t]++")
 MACHINE_COORDINATES, RETRACT = 91, 140
 PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
-NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 
 
 class Coordinate(NamedTuple):

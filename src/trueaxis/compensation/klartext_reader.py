@@ -13,7 +13,6 @@ from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY,
 from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensation.klartext_blocks import (
     MACHINE_COORDINATES,
-    NO_PRESET,
     PRESET,
     KlartextBlock,
     Other,
@@ -138,7 +137,8 @@ class KlartextReader:
                 "a program for each preset",
             )  # fmt: skip
         self._preset = preset
-        self._notes.add(number, PRESET if self._state.frames.system else NO_PRESET)
+        if self._state.frames.system:
+            self._notes.add(number, PRESET)
 
     def _switch(self, number: int, control: bool | None) -> list[Item]:
         lost = switch(number, control, self._state, self._settings, self._faults, self._notes)

@@ -65,7 +65,7 @@ def interpret(
     for word in () if alone else others:
         _other(word, meaning, machine_axes, settings.dialect == "siemens")
     if meaning.frame and meaning.data:
-        meaning.complain(meaning.frame, codes.MACHINE_REMEDY)
+        meaning.complain(meaning.frame, codes.WITHOUT_IT)
     if meaning.system == "G54.1":
         meaning.system = system_name(f"G54.1P{meaning.parameters.get('P', 0):g}") or ""
         if not meaning.system:
@@ -139,7 +139,7 @@ def _cancels(meaning: Meaning) -> None:
     if alone or meaning.motion is not None:
         meaning.complain(f"{name} and axis words in one block: whose they are is not determined", "make it two blocks")
     elif 921 in with_axes and any((*meaning.axes.values(), *meaning.centre.values(), meaning.radius)):
-        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.MACHINE_REMEDY)
+        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.WITHOUT_IT)
     meaning.axes, meaning.centre, meaning.radius = {}, {}, None
     meaning.undotted.clear()
 
@@ -181,7 +181,7 @@ def _only_on(dialect: str, code: int, name: str, meaning: Meaning) -> bool:
     elif dialect == "siemens" and (name == codes.MACHINE_FRAME or (code > codes.FURTHER_SYSTEMS and system_name(name))):
         _set(meaning, "system", name, name)
     elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
-        meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+        meaning.complain(f"{name} {harm}", codes.WITHOUT_IT)
     elif code in codes.KEPT_CYCLES_ON.get(dialect, ()):
         _set(meaning, "cycle", code, name)
     elif code in codes.LOOK_AHEAD_ON.get(dialect, {}):
@@ -250,7 +250,7 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
         return
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
-            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY
+            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.WITHOUT_IT
         )
     elif letter in _PARAMETERS and not _takes(letter, meaning):
         meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")

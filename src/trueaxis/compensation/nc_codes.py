@@ -96,10 +96,10 @@ class Refused(NamedTuple):
     remedy: str
 
 
-_MACHINE = "write the program without it before compensating"
+WITHOUT_IT = "have the positions written without it"
 _MOTIONS = "have its motions written out as G0, G1, G2 and G3"
-_OFFSET = Refused("gives the positions in a shifted frame", _MACHINE)
-_TOOL = Refused("shifts positions by a tool value that is not in the program", _MACHINE)
+_OFFSET = Refused("gives the positions in a shifted frame", WITHOUT_IT)
+_TOOL = Refused("shifts positions by a tool value that is not in the program", WITHOUT_IT)
 _RADIUS = Refused(
     "compensates the cutter's radius, which is not in the program",
     "have the path of the cutter's centre written, or, on LinuxCNC, --via-linuxcnc with --tools",
@@ -108,19 +108,21 @@ _CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIO
 _PATTERN = Refused("is a hole pattern or a thread: its motions are not in the program", _MOTIONS)
 _HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
 _STORED = Refused("stores where the axes stand as a reference point", "take it out, and state the point in the spec")
-_HAAS = Refused("selects a work offset (Haas), or more than that", "write G54 to G59 or G54.1 P, and say --offset")
+_HAAS = Refused(
+    "selects a work offset (Haas) or sets a pole (Siemens)", "write G54 to G59 or G54.1 P, and say --offset"
+)
 _CURVE = Refused("is a curve that is not followed", _MOTIONS)
 _PROBE = Refused("probes: where the axes stop is not in the program", "take it out before compensating")
 _MACRO = Refused("calls a macro, which is not followed", _MOTIONS)
-_POINT_CONTROL = Refused("moves the linear axes with the rotary ones (tool centre point control)", _MACHINE)
+_POINT_CONTROL = Refused("moves the linear axes with the rotary ones (tool centre point control)", WITHOUT_IT)
 _SPINDLE = Refused("couples the feed to the spindle (thread)", "take it out before compensating")
-_DATA = Refused("changes parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
+_DATA = Refused("changes parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", WITHOUT_IT)
 
 FAULTY: dict[int, Refused] = {
     50: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
     51: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
     52: _CURVE, 53: _CURVE, 60: _CURVE, 61: _CURVE, 62: _CURVE, 22: _CURVE, 23: _CURVE, 32: _CURVE, 33: _CURVE,
-    70: Refused("reads diameters (LinuxCNC) or makes an axis imaginary (Fanuc)", _MACHINE),
+    70: Refused("reads diameters (LinuxCNC) or makes an axis imaginary (Fanuc)", WITHOUT_IT),
     71: Refused("interpolates on a cylinder", _MOTIONS),
     80: Refused("reads radii (LinuxCNC) or changes look-ahead (Fanuc)", "take it out before compensating"),
     101: _DATA, 110: _DATA,
@@ -141,15 +143,15 @@ FAULTY: dict[int, Refused] = {
     410: _RADIUS, 411: _RADIUS, 420: _RADIUS, 421: _RADIUS, 432: _TOOL, 440: _TOOL,
     434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
-    510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),
+    510: Refused("scales the positions", WITHOUT_IT), 511: Refused("mirrors the positions", WITHOUT_IT),
     521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
-    531: Refused("turns rotary axes to a tilted plane: where to is not in the program", _MACHINE),
+    531: Refused("turns rotary axes to a tilted plane: where to is not in the program", WITHOUT_IT),
     542: _OFFSET, 544: _OFFSET,
     600: Refused("positions from one side by an amount that is not in the program (Fanuc), or stops exactly (Siemens)",
                  "take it out, or write G61"),
     650: _MACRO, 660: _MACRO, 661: _MACRO,
-    680: Refused("turns the coordinates", _MACHINE),
-    682: Refused("tilts the coordinates", _MACHINE), 683: Refused("tilts the coordinates", _MACHINE),
+    680: Refused("turns the coordinates", WITHOUT_IT),
+    682: Refused("tilts the coordinates", WITHOUT_IT), 683: Refused("tilts the coordinates", WITHOUT_IT),
     700: Refused("reads inches (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)", "write G20 for inches"),
     710: Refused("reads millimetres (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)",
                  "leave it out where it says millimetres, or write G21"),
@@ -162,12 +164,11 @@ FAULTY: dict[int, Refused] = {
     1070: Refused("interpolates on a cylinder", _MOTIONS),
     1121: Refused("interpolates in polar coordinates", _MOTIONS),
     **{10 * code: _HAAS for code in (*range(110, 130), 154)},
-    1010: Refused("mirrors the positions (Haas)", _MACHINE),
+    1010: Refused("mirrors the positions (Haas)", WITHOUT_IT),
     1500: Refused("is a pocket cycle (Haas)", _MOTIONS),
     2340: Refused("switches tool centre point control on (Haas)", "write G43.4 H"),
-    2540: Refused("turns positions with the rotary axes (Haas)", _MACHINE),
+    2540: Refused("turns positions with the rotary axes (Haas)", WITHOUT_IT),
 }  # fmt: skip
 
 NOT_KNOWN = "only codes whose effect on positions is known are accepted"
 PASS_G = "say --pass-g {} if it moves no axis and changes no mode on this control"
-MACHINE_REMEDY = _MACHINE

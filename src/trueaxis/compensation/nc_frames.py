@@ -9,7 +9,9 @@ from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED
 from trueaxis.compensation.settings import Settings
 
 _OF_ALL = 6  # G54 to G59 exist on all controls; the others of `NUMBERED` on LinuxCNC alone
-NONE = "no work offset is given or selected: positions count as machine coordinates; else say --offset G54=X..,Y..,Z.."
+NO_OFFSET = (
+    "no work offset is given or selected: positions count as machine coordinates; else say --offset G54=X..,Y..,Z.."
+)
 CUT_OFF = "the program ends without {}: is it whole?"
 FIRST = "no work offset is selected yet: G54 is taken to be in force"
 _LINUXCNC = "say --dialect linuxcnc if that is the control"
@@ -81,7 +83,7 @@ class FrameReader:
         ends such a program, or empty.
         """
         if self._state.moved and not self._said and not self._state.frames.system:
-            self._notes.add(0, NONE)
+            self._notes.add(0, NO_OFFSET)
         if end and not self._state.ended:
             self._notes.add(0, CUT_OFF.format(end))
 
@@ -128,7 +130,7 @@ class FrameReader:
             if self._on_linuxcnc and self._reset:
                 frames.restore_reset()
             else:
-                self._faults.add(number, "G92.3 restores a shift that is not in the program", codes.MACHINE_REMEDY)
+                self._faults.add(number, "G92.3 restores a shift that is not in the program", codes.WITHOUT_IT)
             return
         if any(frames.reset) and codes.END_SHIFT in meaning.codes and not self._on_linuxcnc:
             self._faults.add(
@@ -206,7 +208,7 @@ class FrameReader:
             self._faults.add(number, f"G10 gives {system} a value, and --touched-off says that it was touched off",
                              "one of both")  # fmt: skip
         if meaning.data.get("R"):
-            self._faults.add(number, "G10 with R turns the positions", codes.MACHINE_REMEDY)
+            self._faults.add(number, "G10 with R turns the positions", codes.WITHOUT_IT)
         if not (self._state.absolute or self._on_linuxcnc):
             self._faults.add(number, "G10 under G91: whether its values add up differs by control", "write G90 first")
         if system is None or (touch_off and not self._known(number, "G10 L20", values)):
@@ -238,7 +240,5 @@ class FrameReader:
             self._faults.add(number, "G10 L20 sets G54 and on where the axes stand (LinuxCNC) or writes G54.1 (Fanuc)",
                              "say --dialect linuxcnc or fanuc")  # fmt: skip
         else:
-            self._faults.add(
-                number, "G10 that is not L2 or L20 changes data that are not followed", codes.MACHINE_REMEDY
-            )
+            self._faults.add(number, "G10 that is not L2 or L20 changes data that are not followed", codes.WITHOUT_IT)
         return None

@@ -150,8 +150,9 @@ class NcState:
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; before_cycle: the motion that was before it; at_initial_level: G98; spindle: M3 or
     M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
-    last block that shows it. lost: axes that have been where the program does not say. path: path mode, for LinuxCNC.
-    point_control: whether positions are those of the tip. due: whether something is to be noted at the next motion.
+    last block that shows it. lost: rows of axes that were once where the program does not say. path: path mode, for
+    LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to be noted at the next
+    motion.
     """
 
     axes: tuple[str, ...]
@@ -274,12 +275,13 @@ def missing_axes(
 
 
 def unknown_position(state: NcState, rows: Sequence[int]) -> tuple[str, str]:
-    """The fault of a feed motion while axes may stand anywhere, and what would be right."""
+    """The fault of a feed motion while the axes of some rows may stand anywhere, and what would be right."""
     problem = f"the position of {' '.join(state.axes[row] for row in rows)} is not known here"
     if lost := [state.axes[row] for row in rows if row in state.lost]:
-        went = "a reference point not in the spec, the end of tool centre point control, a stop or a tool change"
+        # where an axis stood before the program says nothing of where it went since
+        went = "a reference point not in the spec, a switch of tool centre point control or a retraction"
         return (
-            f"{problem} since {went}, and the errors depend on it",
+            f"{problem} after {went}, and the errors depend on it",
             f"a rapid with {' '.join(lost)} before this block",
         )
     given = "".join(f"{state.axes[row]}0" for row in rows)

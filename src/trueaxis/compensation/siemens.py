@@ -186,7 +186,7 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name in _FRAMES:
         meaning.data_code, meaning.frame = codes.SHIFT_TO, f"{name} {_FRAMES[name]} the coordinates"
         if name.startswith("A") or arguments is not None:
-            meaning.complain(meaning.frame, codes.MACHINE_REMEDY)
+            meaning.complain(meaning.frame, codes.WITHOUT_IT)
     elif name in _MACHINE:
         meaning.codes.add(codes.MACHINE_COORDINATES)
     elif name in _ROUNDING:
