@@ -9,12 +9,14 @@ cannot tell from the effect itself says nothing against its being there, only of
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from trueaxis.diagnosis.projection import Projection, orthonormal
 from trueaxis.diagnosis.result import BoolArray, FloatArray
+from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signature import Fitted, Memory, Readings
 from trueaxis.diagnosis.signatures import parameter_signature
@@ -88,19 +90,26 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             along = 2.0 * (scale - scale.min()) / np.ptp(scale) - 1.0
             for degree in (1, 2):
                 yield MODULATED * signal * legendre.legval(along, np.eye(3)[degree])
-    for instrument in dict.fromkeys(run.instrument for run in rows.runs):
-        mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
-        if mine.any() and not mine.all():
-            yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
+    read_by = list(_read_by(rows))
+    for mine in read_by if len(read_by) > 1 else ():
+        yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
         counted = next((one for one in SINCE_REVERSAL if one in used), "d")
         since = readings.context.since(counted)[rows.axes.index(cause.effect.own_axis)]
         since = np.where(np.isnan(since), np.inf, since)  # of readings that the effect does not reach
-        for way in TAKEN_UP[counted]:
-            yield FLANK * signal * np.exp(-since / way)
+        for way, mine in product(TAKEN_UP[counted], read_by):  # what circles show says nothing of where lines turn
+            yield FLANK * np.where(mine, signal * np.exp(-since / way), 0.0)
     if "T" in used:
         yield from _of_temperature(readings, cause)
     yield from _of_searched(readings, cause)
+
+
+def _read_by(rows: Rows) -> Iterator[BoolArray]:
+    """(n,) of each instrument: which readings are its."""
+    for instrument in dict.fromkeys(run.instrument for run in rows.runs):
+        mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
+        if mine.any():
+            yield mine
 
 
 def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
