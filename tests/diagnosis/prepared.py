@@ -13,7 +13,7 @@ from tests.hidden_effects.data import Data
 from tests.hidden_effects.design import Design
 from tests.kernels import kernels_of
 from tests.machines import machine_of
-from trueaxis.diagnosis.base import Base, base_of
+from trueaxis.diagnosis.base import ANYWHERE, Base, base_of
 from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.freedom import Freedom, freedom_of
 from trueaxis.diagnosis.projection import Projection, spanned
@@ -116,12 +116,15 @@ class Field:
             found.append(block)
         return np.hstack(found)
 
-    def drifts(self) -> FloatArray:
-        """(n, runs): by how much each run drifts, one standard deviation."""
-        found = np.zeros((self.readings.rows.size, len(self.null.runs)))
-        for k, (run, noise) in enumerate(zip(self.null.runs, self.whitening.runs, strict=True)):
-            found[run.rows.at, k] = noise.drifts * (run.rows.passed - 0.5)
-        return found
+    def by_chance(self) -> FloatArray:
+        """(n, k): by how much each run drifts, and its readings as its ball stands elsewhere, one sigma each."""
+        found = []
+        for run, noise in zip(self.null.runs, self.whitening.runs, strict=True):
+            mine = np.column_stack([noise.drifts * (run.rows.passed - 0.5), noise.places * noise.ball])
+            block = np.zeros((self.readings.rows.size, mine.shape[1]))
+            block[run.rows.at] = mine
+            found.append(block)
+        return np.hstack(found)
 
 
 @cache
@@ -133,7 +136,10 @@ def field(design: Design = SMALL, noise: Noise = WHITE, machine: str = "table_mi
 
 def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: float = 0.0) -> Field:
     null = base_of(model, rows)
-    runs = [run_noise(noise, run.rows.steps, run.rows.passed, settles, drifts=DRIFTS) for run in null.runs]
+    runs = [
+        run_noise(noise, run.rows.steps, run.rows.passed, settles, drifts=DRIFTS, ball=ball, places=ANYWHERE)
+        for run, ball in zip(null.runs, null.balls, strict=True)
+    ]
     white = whitening(rows.run, runs, null.free)
     names = dict.fromkeys(run.instrument for run in null.runs)
     told = [
@@ -160,12 +166,18 @@ def run_noise(
     settles: float = 0.0,
     wanders: float = 0.0,
     drifts: float = 0.0,
+    ball: FloatArray | None = None,
+    places: float = 0.0,
 ) -> RunNoise:
-    return RunNoise(noise=noise, steps=steps, passed=passed, wanders=wanders, settles=settles, drifts=drifts)
+    courses = {"wanders": wanders, "settles": settles, "drifts": drifts}
+    ball = np.zeros((steps.size, 0)) if ball is None else ball
+    return RunNoise(noise=noise, steps=steps, passed=passed, ball=ball, places=places, **courses)
 
 
 def dense_covariance(run: RunNoise) -> FloatArray:
-    """(n, n), mm^2: white, slow, drifting, wandering and settling noise of a run, written out entry by entry."""
+    """(n, n), mm^2: white, slow, drifting, wandering and settling noise of a run, and the place of its ball, written
+    out entry by entry.
+    """
     at = np.cumsum(np.concatenate([[0.0], run.steps[1:]]))
     lag = np.abs(np.subtract.outer(at, at))
     noise = run.noise
@@ -174,6 +186,7 @@ def dense_covariance(run: RunNoise) -> FloatArray:
     modes = np.pi * np.arange(1, MODES + 1)
     walk = np.sqrt(2.0) * np.sin(np.outer(run.passed, modes)) / modes
     slow = run.wanders**2 * walk @ walk.T + run.settles**2 * np.outer(course, course)
+    slow += run.places**2 * run.ball @ run.ball.T
     drift = run.passed - 0.5
     return np.asarray(stationary + slow + run.drifts**2 * np.outer(drift, drift))
 

@@ -86,7 +86,7 @@ def test_each_class_fires_for_its_structure(name: str) -> None:
         wanted[mine] = moving == axes_of(name) and of_circle == name.startswith("circles")
     shape = np.where(wanted, PLANTED[name](rows, theta), 0.0)
     assert np.ptp(shape) > 0.0
-    checks = checked(where, noise(where, 5) + 10 * SIGMA * shape / np.abs(shape).max())
+    checks = checked(where, noise(where, 6) + 10 * SIGMA * shape / np.abs(shape).max())
     by_name = {check_name(one): one for one in checks}
     assert by_name[name].fired
     assert by_name[name].rms > 0.0

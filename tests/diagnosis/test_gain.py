@@ -69,14 +69,14 @@ def test_without_repeats_some_readings_are_held_back() -> None:
 
 
 def test_the_fit_is_ridge_regression() -> None:
-    """By the normal equations, with the covariance of white noise, the runs' own unknowns wide, and their drifts."""
+    """By the normal equations, with the covariance of white noise, the runs' own unknowns wide, and their chance."""
     values = noise(1) + cause().signal
     found = fit_of(values, (cause(),), ~HELD)
     own = WHERE.without_own()
-    wide, drifts = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300), WHERE.drifts()
-    columns = np.hstack([found.columns.dense(), wide, drifts])[~HELD]
+    wide, chance = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300), WHERE.by_chance()
+    columns = np.hstack([found.columns.dense(), wide, chance])[~HELD]
     p = found.extended.size
-    prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9), np.ones(drifts.shape[1])])
+    prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9), np.ones(chance.shape[1])])
     information = columns.T @ columns / SIGMA**2 + np.diag(prior)
     expected = np.linalg.solve(information, columns.T @ values[~HELD] / SIGMA**2)[:p]
     u = np.sqrt(np.diag(np.linalg.inv(information)))[:p]

@@ -53,17 +53,17 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
     keep = np.r_[0:size, part.rows]
     every = replace(one, readings=prospect.readings, null=base_of(one.readings.model, rows))
     every = replace(every, whitening=prospect.whitening)
-    drifts = every.drifts()[keep]
-    drifts = drifts[:, drifts.any(axis=0)]
+    chance = every.by_chance()[keep]
+    chance = chance[:, chance.any(axis=0)]
     base = np.hstack([every.columns, every.without_own()])
     sigma = prospect.whitening.sigma[keep, np.newaxis]
     assert prospect.whitening.sigma[:size] == pytest.approx(SIGMA)
     columns = np.column_stack([signature_of(prospect.readings, effect).over_all()[:, 0] for effect in pair])
     white, signatures = base[keep] / sigma, columns[keep] / sigma
     white = white[:, white.any(axis=0)]
-    expected = np.eye(drifts.shape[1])  # of each drift, in its standard deviation
+    expected = np.eye(chance.shape[1])  # of each drift and ball, in its standard deviation
     white = np.block(
-        [[white / np.linalg.norm(white, axis=0), drifts / sigma], [np.zeros((len(expected), white.shape[1])), expected]]
+        [[white / np.linalg.norm(white, axis=0), chance / sigma], [np.zeros((len(expected), white.shape[1])), expected]]
     )
     signatures = np.vstack([signatures, np.zeros((len(expected), 2))])
     rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-12)[0]
@@ -248,7 +248,7 @@ def names(found: Diagnosis) -> set[Effect]:
     ("kind", "size", "run", "measured"),
     [
         ("backlash", -4e-3, "straightness in y", Design(straightness=True)),
-        ("backlash_slope", -5e-3, "laser, diagonal", Design(diagonals=True)),
+        ("backlash_slope", -5e-3, "straightness in y", Design(straightness=True)),
     ],
 )
 def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: str, measured: Design) -> None:

@@ -124,6 +124,24 @@ def test_white_noise_is_that_of_a_mixed_model() -> None:
     assert found.sigma == pytest.approx(1e-3 * np.sqrt(expected.scale), rel=0.1)
 
 
+@pytest.mark.parametrize("moved", [0.0, 3e-3])
+def test_runs_tell_how_far_their_balls_stand_apart(moved: float) -> None:
+    """Two circles a plane, the ball of each drawn anew, beside one place that is far off for all: it is not theirs."""
+    rows, base = measured(Design(lines=1, repeats=1, targets=11, samples=60))
+    of_all, found = np.array([0.04, -0.03, 0.02]), []
+    for seed in range(DRAWS):
+        source = np.random.default_rng(seed)
+        values = SIGMA * source.standard_normal(rows.size)
+        for run, ball in zip(base.runs, base.balls, strict=True):
+            if ball.size:
+                values[run.rows.at] += ball @ (of_all + moved * source.standard_normal(3))
+        found.append(noise_of(values, rows, base, "ballbar"))
+    assert [one.white for one in found] == pytest.approx(DRAWS * [SIGMA], rel=0.25)
+    places = np.array([one.places for one in found])
+    assert np.sqrt(np.mean(places**2)) == pytest.approx(moved, rel=0.4, abs=0.5 * SIGMA)
+    assert places.min() >= 0.4 * moved
+
+
 def test_outliers_do_not_move_it() -> None:
     rows, base = measured()
     values = drawn(rows, 7)

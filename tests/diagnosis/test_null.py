@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
+from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, dense_covariance, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null import Null, expected_root, explained, fitted, less_own, null_of, undecided
@@ -165,11 +165,18 @@ def test_how_runs_settle_is_found() -> None:
 
 
 def test_what_runs_have_of_their_own_is_fitted_and_no_more() -> None:
+    """By generalised least squares and the best prediction of what varies by chance, with dense covariances."""
     found = null(noise(6))
     own = np.concatenate([columns @ np.ones(columns.shape[1]) for columns in found.base.free])
     assert less_own(found.whitening, own) == pytest.approx(np.zeros(own.size), abs=1e-12 * np.abs(own).max())
-    left = less_own(found.whitening, found.values)  # what is expected of a drift holds it back each time, by a little
-    assert less_own(found.whitening, left) == pytest.approx(left, abs=1e-2 * SIGMA)
+    left = less_own(found.whitening, found.values)
+    for run, free, each in zip(found.base.runs, found.base.free, found.whitening.runs, strict=True):
+        at, alone = run.rows.at, replace(each, settles=0.0, wanders=0.0)
+        chance = dense_covariance(alone) - dense_covariance(replace(alone, drifts=0.0, places=0.0))
+        inverse = np.linalg.inv(dense_covariance(alone))
+        held = free @ np.linalg.solve(free.T @ inverse @ free, free.T @ inverse)
+        without = found.values[at] - held @ found.values[at]
+        assert left[at] == pytest.approx(without - chance @ inverse @ without, abs=1e-4 * SIGMA)
 
 
 def test_an_unknown_that_hardly_any_reading_feels_takes_nothing_from_the_others() -> None:

@@ -22,7 +22,9 @@ def run_of(name: str, size: int, seed: int = 0) -> RunNoise:
     """At uneven times."""
     noise, settles, wanders, drifts = NOISES[name]
     steps = np.random.default_rng(seed).uniform(0.5, 1.5, size)
-    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, wanders, drifts)
+    passed = np.linspace(0.0, 1.0, size)
+    ball = np.random.default_rng(seed + 1).normal(size=(size, 3)) if name == "everything" else None
+    return run_noise(noise, steps, passed, settles, wanders, drifts, ball, places=3e-3)
 
 
 def own_of(size: int, seed: int = 0) -> FloatArray:

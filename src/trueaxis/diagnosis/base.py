@@ -6,7 +6,7 @@ alignment of a laser are known to parts in a million, and vary by chance within 
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +18,7 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
-from trueaxis.estimation.instruments import CLASSES, SharedUnknown, own_kinds
+from trueaxis.estimation.instruments import BALL_OF_RUN, CLASSES, SharedUnknown, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
@@ -39,6 +39,9 @@ PLACES = 201  # over the travel, at which a curve is looked at
 # mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
 # digit of positions; it would be free to be anything, and take up noise
 UNFELT = 1e-8
+ANYWHERE = (
+    CLASSES[BALL_OF_RUN].size * CLASSES[BALL_OF_RUN].factor
+)  # mm: by which balls stand elsewhere, if more is open
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -75,13 +78,28 @@ class Base:
 
     @property
     def free(self) -> tuple[FloatArray, ...]:
-        """(n_r, k) of every run: its own unknowns but for its drift.
+        """(n_r, k) of every run: its own unknowns but for its drift and the place of its ball.
 
         Where each target is read in both directions before the next, a drift of some hundred micrometres and a curve
-        against it come to the same as play: a drift that may be as large as that would hide it.
+        against it come to the same as play: a drift that may be as large as that would hide it. So does a ball that
+        may stand anywhere in each run hide what circles sense once in a turn: it is free in each set-up, and runs of
+        one tell how far it goes between them.
         """
-        kept = ([not CLASSES[kind].drift for kind in kinds] for kinds in self.own_kinds)
-        return tuple(own[:, some] for own, some in zip(self.own, kept, strict=True))
+        return self._own_where(lambda kind: not CLASSES[kind].drift and kind != BALL_OF_RUN)
+
+    @property
+    def balls(self) -> tuple[FloatArray, ...]:
+        """(n_r, 3) of every run by ball bar, (n_r, 0) of others: its readings by the place of its ball, mm per mm."""
+        return self._own_where(lambda kind: kind == BALL_OF_RUN)
+
+    @property
+    def anywhere(self) -> tuple[FloatArray, ...]:
+        """(n_r, k) of every run: its own unknowns but for its drift, its ball free."""
+        return tuple(np.hstack(both) for both in zip(self.free, self.balls, strict=True))
+
+    def _own_where(self, kept: Callable[[str], bool]) -> tuple[FloatArray, ...]:
+        every = zip(self.own, self.own_kinds, strict=True)
+        return tuple(own[:, [kept(kind) for kind in kinds]] for own, kinds in every)
 
     @property
     def drifts(self) -> tuple[float, ...]:
@@ -155,16 +173,16 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     )
     runs = measured_runs(observed)
     parts = [list(derivatives(layout, one.rows)) for one in runs]
-    everything = by_run(_few_of_run(one) for one in parts)
-    chance = np.zeros(layout.count, dtype=bool)
-    chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in layout.shared]
+    own = tuple(np.vstack([each.own for each in one]) for one in parts)
+    kinds = tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs)
+    balls = _balls_of_set_ups(rows, runs)
+    of_balls = [_of_balls(balls, one, *of) for one, of in zip(runs, zip(own, kinds, strict=True), strict=True)]
+    everything = by_run(_few_of_run(one) for one in parts).beside(np.vstack(of_balls))
+    shared = [*layout.shared, *balls]
+    chance = np.zeros(layout.of_machine + len(shared), dtype=bool)
+    chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in shared]
     counts = [basis.degree for basis in layout.bases]
-    weights = [np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0]) for basis in layout.bases]
-    # a curve that readings show to be rough has not the shape that [prior] expects, and may be as large at every degree
-    weights = [
-        np.full_like(one, one.max()) if name in rough else one
-        for name, one in zip(layout.components, weights, strict=True)
-    ]
+    weights = [_weights(basis, name in rough) for name, basis in zip(layout.components, layout.bases, strict=True)]
     expected = np.concatenate([*weights, np.ones(int((~chance).sum()) - sum(counts))])
     columns = everything.take(~chance)
     unfelt = np.linalg.norm(columns.weights, axis=0) * expected < UNFELT
@@ -176,14 +194,44 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
         units={name: name.unit for name in layout.components}
         | {name: model.machine.parameter_unit(name) for name in layout.locations},
         expected=expected,
-        sizes=layout.sizes[~chance],
+        sizes=np.concatenate([layout.sizes, [one.size for one in balls]])[~chance],
         bases=dict(zip(layout.components, layout.bases, strict=True)),
         by_chance=everything.take(chance).dense(),
-        shared=tuple(layout.shared[k] for k in np.argsort(chance[layout.of_machine :], kind="stable")),
-        own=tuple(np.vstack([each.own for each in one]) for one in parts),
-        own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
+        shared=tuple(shared[k] for k in np.argsort(chance[layout.of_machine :], kind="stable")),
+        own=own,
+        own_kinds=kinds,
         runs=tuple(runs),
     )
+
+
+def _weights(basis: LegendreBasis, rough: bool) -> FloatArray:
+    """(degree,): standard deviations expected of a curve. One that readings show to be rough has not the shape that
+    [prior] expects, and may be as large at every degree.
+    """
+    found = np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0])
+    return np.full_like(found, found.max()) if rough else found
+
+
+def _balls_of_set_ups(rows: Rows, runs: Sequence[MeasuredRun]) -> list[SharedUnknown]:
+    """Three of each set-up of a ball bar in a session: machine and bar are set to zero anew for every plane."""
+    members: dict[tuple[str, int], list[int]] = {}
+    for one in runs:
+        if one.instrument == "ballbar":
+            of = one.rows.run.session, int(rows.setup[one.rows.at[0]])
+            members.setdefault(of, []).append(one.rows.index)
+    return [
+        SharedUnknown(kind=BALL_OF_RUN, of=of, runs=tuple(of_runs), coordinate=k, size=ANYWHERE)
+        for of, of_runs in members.items()
+        for k in range(3)
+    ]
+
+
+def _of_balls(balls: Sequence[SharedUnknown], run: MeasuredRun, own: FloatArray, kinds: Sequence[str]) -> FloatArray:
+    """(n_r, k): the readings of a run by each of them, one standard deviation; own: (n_r, m), its own columns."""
+    mine = own[:, np.isin(kinds, BALL_OF_RUN)]
+    none = np.zeros(own.shape[0])
+    found = [mine[:, one.coordinate] * one.size if run.rows.index in one.runs else none for one in balls]
+    return np.column_stack([*found, np.zeros((own.shape[0], 0))])
 
 
 def rough_degree(rows: Rows, component: str) -> int:

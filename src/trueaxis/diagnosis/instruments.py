@@ -14,7 +14,7 @@ from scipy.special import ndtr
 from trueaxis.diagnosis.base import LARGEST, WIDE, Base
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.noise_fit import NOISIEST
-from trueaxis.diagnosis.null import Null, expected_root, factored
+from trueaxis.diagnosis.null import Null, balls_anywhere, expected_root, factored
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.diagnosis.whiten import RANK
 from trueaxis.effects.kind import Effect
@@ -99,6 +99,7 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     Where a machine whose errors are larger than [prior] has it is likelier than one whose instruments are off, it is
     taken for one: of instruments that what is expected of the machine alone speaks against nothing is known.
     """
+    null = balls_anywhere(null)
     columns = null.base.columns.beside(null.base.by_chance)
     values = null.values - signal
     q, r, length = factored(null.whitening, columns)

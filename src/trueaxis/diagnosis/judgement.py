@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtr
 
+from trueaxis.diagnosis.carried import carried_by_one
 from trueaxis.diagnosis.checks import run_checks
 from trueaxis.diagnosis.contest import contest
 from trueaxis.diagnosis.imperfection import beside_forms, imperfections
@@ -106,11 +107,23 @@ def judged_runs(
 
     What is left beside a cause may be a wrong run; without the cause sound ones would be the first to look wrong.
     """
-    known, nothing = (*standing, *judged.causes, *judged.unnamed), np.zeros((null.rows.size, 0))
-    signals = [*(one.signal for one in known), *(one.signal for one in judged.off)]
+    known = (*standing, *judged.causes, *judged.unnamed)
+    carried, where = carried_by_one(null, (*judged.causes, *judged.unnamed))
+    if carried:
+        others = [one for one in known if one not in carried]
+        forms = [column for one in others for column in imperfections(ground.readings, one)]
+        wrong = misfits(null, _known(null, judged, others, forms))
+        if wrong and where.issuperset(wrong):
+            return beside_misfits(ground, judged, changes, wrong)
     besides = _besides(ground, judged, known)
-    causes = Known(np.column_stack([nothing, *signals]), np.column_stack([nothing, *besides]))
-    return beside_misfits(ground, judged, changes, misfits(null, causes))
+    return beside_misfits(ground, judged, changes, misfits(null, _known(null, judged, known, besides)))
+
+
+def _known(null: Null, judged: Judged, causes: Sequence[Fitted], besides: Sequence[FloatArray]) -> Known:
+    """Causes, instruments that are off, and what causes may do besides."""
+    nothing = np.zeros((null.rows.size, 0))
+    signals = [*(one.signal for one in causes), *(one.signal for one in judged.off)]
+    return Known(np.column_stack([nothing, *signals]), np.column_stack([nothing, *besides]))
 
 
 def beside_misfits(ground: Ground, judged: Judged, changes: Changes, runs: Sequence[str]) -> tuple[Judged, Changes]:

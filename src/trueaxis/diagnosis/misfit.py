@@ -15,7 +15,7 @@ from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.gain import VAGUE
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.noise_fit import NOISIEST, UNEVEN
-from trueaxis.diagnosis.null import Null, lent
+from trueaxis.diagnosis.null import Null, balls_anywhere, lent
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import FALSE_ALARMS
 from trueaxis.diagnosis.verdict import PRACTICALLY_ALL
@@ -59,9 +59,10 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
     """
     if MOST * len(null.base.runs) < 1.0:
         return ()
+    null = balls_anywhere(null)
     signal = np.split(null.whitening(known.signals.sum(axis=1)), null.base.columns.starts[1:-1])
     caused = np.array([float(one @ one) for one in signal])
-    judged, given_up = _Judged(null, caused, _columns(null, known), _groups(null)), Group()
+    judged, given_up = _Judged(null, caused, _columns(null, known), groups_of(null)), Group()
     found = list[int]()
     while True:
         against = judged.against(given_up)
@@ -114,7 +115,7 @@ class _Judged:
         return float(MISFIT**2 * readings + (1.0 - PRACTICALLY_ALL) * self.caused[group].sum())
 
 
-def _groups(null: Null) -> list[Group]:
+def groups_of(null: Null) -> list[Group]:
     """Each run, and all of a set-up or a session, which agree with one another."""
     runs = [one.rows for one in null.base.runs]
     keys = [
@@ -141,7 +142,7 @@ def _without(null: Null, given_up: Group) -> Null:
         return null
     some = null.only(~np.isin(null.rows.run, [null.base.runs[place].rows.index for place in given_up]))
     noises, _, _ = noise_of_runs(some.rows, some.base, some.values, None, null.found)
-    return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.free)))
+    return balls_anywhere(lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.free))))
 
 
 def against_others(

@@ -3,7 +3,8 @@
 By restricted maximum likelihood (REML; Patterson and Thompson, Biometrika 58, 1971) of what the saturated base leaves
 of all runs together: runs of one axis share its curves, which leaves far more room to tell slow noise from the machine
 than the course of a run by itself. What the base gets wrong repeats share: it is told from noise where there are any.
-Noise of an instrument is white (more in some runs than in others) and slow; its runs wander and settle.
+Noise of an instrument is white (more in some runs than in others) and slow; its runs wander and settle, and the ball of
+each run of a ball bar stands a little elsewhere.
 """
 
 from collections.abc import Sequence
@@ -46,9 +47,8 @@ def noise_of_runs(
         laws, fit = restricted(blocks, groups, guesses, before)
     scales = np.ones(len(groups)) if fit is None else fit.scales
     certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
-    found: dict[int, RunNoise] = {}
-    told: list[NoiseOf] = []
-    drifts = base.drifts
+    found, told = dict[int, RunNoise](), list[NoiseOf]()
+    drifts, balls = base.drifts, base.balls
     for name in names:
         members = [place for place, one in enumerate(groups) if one == name]
         at = np.concatenate([base.runs[place].rows.at for place in members])
@@ -71,6 +71,7 @@ def noise_of_runs(
                 freedom=law.freedom,
                 origin=origin,
                 wanders=law.wanders,
+                places=law.places if any(balls[place].size for place in members) else 0.0,
             )
         )
         for place in members:
@@ -82,6 +83,8 @@ def noise_of_runs(
                 wanders=law.wanders,
                 settles=law.settles,
                 drifts=drifts[place],
+                ball=balls[place],
+                places=law.places,
                 freedom=float(certain[place]),
             )
     return tuple(found[place] for place in range(len(groups))), tuple(told), fit

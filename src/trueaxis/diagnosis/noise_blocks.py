@@ -18,6 +18,7 @@ from trueaxis.diagnosis.projection import orthonormal
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, settling, wandering
+from trueaxis.estimation.instruments import BALL_OF_RUN
 
 MOST = 400  # readings that are looked at together; the cost grows with their cube
 ENOUGH = 1500  # contrasts: they tell the noise to 2 %
@@ -30,13 +31,14 @@ NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shapes:
-    """Of a run of m readings, (m, m) of any two: gaps: typical steps between them; wander, settle: their covariance of
-    unit size.
+    """Of a run of m readings, (m, m) of any two: gaps: typical steps between them; wander, settle, ball: their
+    covariance of unit size.
     """
 
     gaps: FloatArray
     wander: FloatArray
     settle: FloatArray
+    ball: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -44,8 +46,9 @@ class Part:
     """Runs that read the same targets, or one run; of one instrument. rows: of its block; runs: of it, readings of each
     run, which are neighbours; of each of n readings: place: of its run among those of the base; target: of those of the
     part; passed: share of the duration of its run; when: typical steps since its start; own: (n, k), orthonormal, what
-    is unknown of the instrument; repeated: (n, targets), 1 where it is of a target that is read more than once; alone:
-    (n,), whether it is of one that is read once.
+    is unknown of the instrument, the place of its ball aside; balls: (n_r, 3 or 0) of each run, by this; repeated: (n,
+    targets), 1 where it is of a target that is read more than once; alone: (n,), whether it is of one that is read
+    once.
     """
 
     rows: slice
@@ -54,6 +57,7 @@ class Part:
     passed: FloatArray
     when: FloatArray
     own: FloatArray
+    balls: tuple[FloatArray, ...]
     runs: tuple[slice, ...]
     repeated: FloatArray
     alone: BoolArray
@@ -66,10 +70,11 @@ class Part:
     def shapes(self) -> list[Shapes]:
         """Of each run. To be asked for once."""
         found = []
-        for here in self.runs:
+        for here, ball in zip(self.runs, self.balls, strict=True):
             course, walk, when = settling(self.passed[here]), wandering(self.passed[here]), self.when[here]
             gaps = np.abs(when[:, np.newaxis] - when)
-            found.append(Shapes(gaps=gaps, wander=walk @ walk.T, settle=np.outer(course, course)))
+            settle = np.outer(course, course)
+            found.append(Shapes(gaps=gaps, wander=walk @ walk.T, settle=settle, ball=ball @ ball.T))
         return found
 
 
@@ -153,14 +158,16 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
 
 
 def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:
-    own, passed, when = [], [], []
+    own, balls, passed, when = [], [], [], []
+    kept = [~np.isin(kinds, BALL_OF_RUN) for kinds in base.own_kinds]
     first = np.flatnonzero(np.diff(place[at], prepend=-1)).tolist()
     runs = tuple(slice(one, end) for one, end in pairwise([*first, at.size]))
     for mine in runs:
         number = int(place[at[mine.start]])
         run = base.runs[number].rows
         here = at[mine] - int(run.at[0])
-        own.append(orthonormal(base.own[number][here]))
+        own.append(orthonormal(base.own[number][here][:, kept[number]]))
+        balls.append(base.own[number][here][:, ~kept[number]])
         passed.append(run.passed[here])
         when.append(np.cumsum(run.steps)[here])
     _, target, times = np.unique(rows.target[at], return_inverse=True, return_counts=True)
@@ -171,6 +178,7 @@ def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> 
         passed=np.concatenate(passed),
         when=np.concatenate(when),
         own=np.asarray(block_diag(*own)),
+        balls=tuple(balls),
         runs=runs,
         repeated=np.asarray(target[:, np.newaxis] == np.flatnonzero(times > 1), dtype=np.float64),
         alone=times[target] == 1,

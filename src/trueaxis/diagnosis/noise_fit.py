@@ -12,20 +12,21 @@ import numpy as np
 from scipy.linalg import block_diag
 from scipy.optimize import minimize
 
+from trueaxis.diagnosis.base import ANYWHERE
 from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
 from trueaxis.diagnosis.noise_precision import Precision, factor_less_misfit, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.estimation.factors import few_of
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
-# the base; all but the time constant, in typical steps, as shares of a first guess
-START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3)
-BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6))
-PER, AGE, MISFIT = len(START), 2, 5
+# the base, places of its balls; all but the time constant, in typical steps, as shares of a first guess
+START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3, 1.0)
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6), (0.0, 1e6))
+PER, AGE, MISFIT, BALLS = len(START), 2, 5, 6
 # before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
-# units of the first guess
+# units of the first guess; places of balls in mm, as far as their class may be wrong
 USUAL = np.log(8.0)
-SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
+SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4, BALLS)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
 NOISIEST = 3.0 * UNEVEN  # of this logarithm: what is left beyond is no noise
@@ -45,8 +46,8 @@ class Guess:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Law:
-    """Of an instrument: standard deviations, mm, of white and slow noise, wandering and settling; lasts: typical steps;
-    freedom: degrees of freedom that tell it.
+    """Of an instrument: standard deviations, mm, of white and slow noise, wandering, settling and the places of the
+    balls of its runs; lasts: typical steps; freedom: degrees of freedom that tell it.
     """
 
     white: float
@@ -54,6 +55,7 @@ class Law:
     lasts: float = 1.0
     wanders: float = 0.0
     settles: float = 0.0
+    places: float = ANYWHERE
     freedom: float = 1.0
 
 
@@ -86,7 +88,8 @@ class _Told:
 
     def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
         """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow
-        noise, wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
+        noise, wandering, settling, misfit and places of balls, mm^2, and by the logarithm of the age, of slow noise of
+        unit size.
         """
         found = np.zeros(PER)
         found[0] = of_scale.sum()
@@ -97,6 +100,7 @@ class _Told:
             found[1] += np.vdot(half, slow)
             found[3] += np.vdot(half, shape.wander)
             found[4] += np.vdot(half, shape.settle)
+            found[BALLS] += np.vdot(half, shape.ball)
             found[AGE] += np.vdot(half * slow, shape.gaps) / age
         shared = self.weighed @ self.part.repeated
         of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
@@ -120,20 +124,22 @@ class Likelihood:
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
+        self.spread = np.tile(SPREAD, (self.units.size, 1))
+        self.spread[:, BALLS] = ANYWHERE / self.units
 
     def __call__(self, x: FloatArray) -> tuple[float, FloatArray]:
         """With the prior of time constants and scales, and the slopes."""
         usual, spread = np.zeros(x.size), np.full(x.size, UNEVEN)
         usual[AGE : self.count : PER] = USUAL
-        spread[: self.count] = np.tile(SPREAD, self.units.size)
+        spread[: self.count] = self.spread.ravel()
         apart = (x - usual) / spread
         slope = apart / spread
         value, told = self.told(x)
         sizes = self.sizes(x)
         for one in told:
             unit = 2.0 * self.units[one.number]
-            _, slow, age, wanders, settles, misfit = sizes[one.number]
-            by_size = [1.0, unit * slow, slow**2, unit * wanders, unit * settles, unit * misfit]
+            _, slow, age, *others = sizes[one.number]
+            by_size = [1.0, unit * slow, slow**2, *(unit * other for other in others)]
             of_scale = one.of_scale()
             slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
             slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
@@ -161,13 +167,14 @@ class Likelihood:
         squares, whole, of_values = np.zeros((count, count)), np.zeros(count), np.zeros(count)
         for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
-            level, slow, age, wanders, settles, misfit = sizes[number]
+            level, slow, age, wanders, settles, misfit, places = sizes[number]
             white = (level * np.exp(x[self.count + part.place])) ** 2
             slowly = [np.exp(one.gaps / -age) for one in shapes]
             alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
             noise = []
             for of_slow, shape, here in zip(slowly, shapes, part.runs, strict=True):
                 of_run = slow**2 * of_slow + wanders**2 * shape.wander + settles**2 * shape.settle
+                of_run += places**2 * shape.ball
                 of_run.ravel()[:: len(of_run) + 1] += alone[here]
                 noise.append(of_run)
             precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
@@ -253,7 +260,7 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict
     Slow parts are averaged over what the readings leave possible: of a variance of which little is known the likelihood
     is normal about its best value, and the standard deviation anything from 0 on.
     """
-    slopes, information = np.zeros((2, len(names), 3))
+    slopes, information = np.zeros((2, len(names), len(SLOW)))
     freedom, sizes = np.zeros(len(names)), of.sizes(x)
     of_scales = np.zeros(of.of_run.size)
     for one in of.told(x)[1]:
@@ -263,13 +270,12 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict
         slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
         whole = one.precision.dense()
         of_scales += _of_scales(one, whole, of.of_run.size)
-        for k, shapes in enumerate(
-            (one.slow, [each.wander for each in one.shapes], [each.settle for each in one.shapes])
-        ):
+        parts = zip(*[(each.wander, each.settle, each.ball) for each in one.shapes], strict=True)
+        for k, shapes in enumerate((one.slow, *parts)):
             both = whole @ block_diag(*shapes)
             information[one.number, k] += 0.5 * float(np.sum(both * both.T))
     best = sizes[:, list(SLOW)] ** 2
-    usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
+    usual = (of.spread[:, list(SLOW)] * of.units[:, np.newaxis]) ** 2
     most = np.maximum(FAR_ABOVE**2 * usual, 4.0 * best)
     spread = np.minimum(1.0 / np.sqrt(np.maximum(information, 1e-300)), most)
     middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
@@ -277,7 +283,7 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict
     possible = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis] ** 2 * farthest
     unlikely = 0.5 * (((possible - middle) / spread) ** 2 + possible / usual)
     weight = np.exp(unlikely.min(axis=0) - unlikely)
-    slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
+    slow, wanders, settles, places = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
     laws = {
         name: Law(
             white=float(sizes[k, 0]),
@@ -285,6 +291,7 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict
             lasts=float(sizes[k, AGE]),
             wanders=float(wanders[k]),
             settles=float(settles[k]),
+            places=float(places[k]),
             freedom=float(freedom[k]),
         )
         for k, name in enumerate(names)

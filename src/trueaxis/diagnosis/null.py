@@ -148,8 +148,15 @@ def lent(null: Null, other: Null) -> Null:
     noises = []
     for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
         noise = told.get(run.rows.index) or told.get(run.noise_group) or before
-        noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
+        known = replace(noise, steps=before.steps, passed=before.passed, drifts=before.drifts, ball=before.ball)
+        noises.append(replace(known, freedom=before.freedom))
     return replace(null, whitening=whitening(null.rows.run, noises, null.base.free))
+
+
+def balls_anywhere(null: Null) -> Null:
+    """With the ball of each run free: where it may be the fault of an instrument, other balls do not tell its place."""
+    runs = [replace(one, places=0.0) for one in null.whitening.runs]
+    return replace(null, whitening=whitening(null.rows.run, runs, null.base.anywhere))
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
@@ -200,13 +207,16 @@ def factored(whiten: Whitening, columns: ByRun) -> tuple[ByRun, FloatArray, Floa
 
 
 def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
-    """(n,), mm: values less what the unknowns of each run's instrument make of them, its drift as it is expected."""
+    """(n,), mm: values less what the unknowns of each run's instrument make of them, its drift and the place of its
+    ball as they are expected.
+    """
     found = values.copy()
     for place, (run, own) in enumerate(zip(whiten.runs, whiten.own, strict=True)):
         here = slice(int(whiten.starts[place]), int(whiten.starts[place + 1]))
-        sized = np.column_stack([run.drift, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])
+        by_chance = run.of_set_up
+        sized = np.column_stack([by_chance, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])
         both = run.whitened(np.column_stack([sized, values[here]]))
-        both = np.vstack([both, np.eye(1, both.shape[1])])  # what is expected of the drift
+        both = np.vstack([both, np.eye(by_chance.shape[1], both.shape[1])])  # what is expected of these
         found[here] -= sized @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
     return found
 

@@ -15,7 +15,7 @@ from trueaxis.diagnosis.hidden_by_noise import in_noise_of_a_run, likeliest
 from trueaxis.diagnosis.imperfection import beside_forms
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
 from trueaxis.diagnosis.neighbours import LeftOut, among, disturbed, of_one_run
-from trueaxis.diagnosis.null import Null, again, left_out, null_of, rougher, what_is_free
+from trueaxis.diagnosis.null import Null, again, balls_anywhere, left_out, null_of, rougher, what_is_free
 from trueaxis.diagnosis.prospect import prospect_of
 from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
@@ -91,13 +91,14 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
 
 
 def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Outcome:
-    """With what was gained."""
+    """With what was gained. Where balls stand is nothing that the model gets wrong."""
     held, split = held_out(null.rows)
     every = np.ones_like(held)
-    white, values, causes = null.whitening, null.values, judged.causes
+    free = balls_anywhere(null)
+    white, values, causes = free.whitening, null.values, judged.causes
     on_all, on_others = (fit(null.base, white, values, causes, rows) for rows in (every, ~held))
     of_all = predicted(on_all, white, values, every)
-    gain, of_held = gain_by_unit((on_all, on_others), null, (held, split))
+    gain, of_held = gain_by_unit((on_all, on_others), free, (held, split))
     return Outcome(
         ground=ground,
         null=null,

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from scipy.linalg import svd
 
-from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.base import ANYWHERE, base_of
 from trueaxis.diagnosis.by_run import of_basis
 from trueaxis.diagnosis.menu import FurtherRun, menu
 from trueaxis.diagnosis.of_plan import Placed
@@ -89,7 +89,7 @@ def prospect_of(ground: Ground) -> Prospect:
             known.setdefault(name, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     new = slice(len(ground.whitening.runs), None)
-    ahead = [_noise(*one, known) for one in zip(base.runs[new], base.drifts[new], strict=True)]
+    ahead = [_noise(*one, known) for one in zip(base.runs[new], base.drifts[new], base.balls[new], strict=True)]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.free)
     white = base.columns.whitened(whiten)
     here = white.first(len(ground.whitening.runs))
@@ -208,15 +208,16 @@ def _contexts(one: Context, other: Context) -> Context:
     return Context(**both, home=home)
 
 
-def _noise(run: MeasuredRun, drifts: float, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
+def _noise(run: MeasuredRun, drifts: float, ball: FloatArray, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
     """As that of other runs of the group (`noise_groups`), else of the instrument, or as usual."""
     steps, passed = run.rows.steps, run.rows.passed
     alike = known.get(run.noise_group) or known.get(run.instrument, [])
     of_instrument = sorted(alike, key=lambda one: one.sigma)
     if not of_instrument:
         noise = Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM)
-        return RunNoise(noise=noise, steps=steps, passed=passed, wanders=0.0, settles=0.0, drifts=drifts)
-    return replace(of_instrument[len(of_instrument) // 2], steps=steps, passed=passed, drifts=drifts)
+        courses = {"wanders": 0.0, "settles": 0.0, "drifts": drifts}
+        return RunNoise(noise=noise, steps=steps, passed=passed, ball=ball, places=ANYWHERE, **courses)
+    return replace(of_instrument[len(of_instrument) // 2], steps=steps, passed=passed, drifts=drifts, ball=ball)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:

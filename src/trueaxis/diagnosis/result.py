@@ -24,8 +24,9 @@ class NoiseOf:
     """Noise of the readings of a group of runs (`runs.noise_groups`), mm: white, and slow (correlation: from one
     reading to the next). instrument: kind of their instrument; group: name of the group, the kind or one device of it.
 
-    settles: by which its runs change after their start; wanders: random walk of a run, at its end; freedom: degrees of
-    freedom of the estimate; origin: where it is from, see diagnose.noise.
+    settles: by which its runs change after their start; wanders: random walk of a run, at its end; places: by which the
+    balls of its runs stand elsewhere, each way, 0 where it has none; freedom: degrees of freedom of the estimate;
+    origin: where it is from, see diagnose.noise.
     """
 
     instrument: str
@@ -37,6 +38,7 @@ class NoiseOf:
     freedom: float
     origin: str
     wanders: float = 0.0
+    places: float = 0.0
 
     @property
     def sigma(self) -> float:

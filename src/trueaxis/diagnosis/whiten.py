@@ -1,8 +1,8 @@
 """Readings made independent, run by run, and what nobody knows of each run's instrument taken away.
 
 Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, the slope
-of a straightness line, the place of a ball) are free: what is whitened has them projected out. By chance it also drifts
-over the run, as far as its class is known to, and wanders, and settles after the start of the run, as runs of its
+of a straightness line) are free: what is whitened has them projected out. By chance it also drifts over the run, as far
+as its class is known to, has its ball elsewhere, and wanders, and settles after the start of the run, as runs of its
 instrument do.
 """
 
@@ -27,8 +27,9 @@ RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 class RunNoise:
     """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
     (n,), share of its duration; wanders, settles, drifts: standard deviations of its random walk, at its end, of its
-    settling, and of its drift over the run, mm; freedom: degrees of freedom that tell its noise among that of all runs
-    of its instrument, infinite where it is known.
+    settling, and of its drift over the run, mm; ball: (n, 3), readings by the place of the ball of a run by ball bar,
+    mm per mm, else (n, 0); places: standard deviation of this, mm; freedom: degrees of freedom that tell its noise
+    among that of all runs of its instrument, infinite where it is known.
     """
 
     noise: Noise
@@ -37,6 +38,8 @@ class RunNoise:
     wanders: float
     settles: float
     drifts: float
+    ball: FloatArray
+    places: float
     freedom: float = np.inf
 
     @property
@@ -47,18 +50,21 @@ class RunNoise:
     def only(self, keep: BoolArray) -> "RunNoise":
         """Of some readings, (n,)."""
         steps = np.diff(np.cumsum(self.steps)[keep], prepend=0.0)
-        return replace(self, steps=steps, passed=self.passed[keep])
+        return replace(self, steps=steps, passed=self.passed[keep], ball=self.ball[keep])
 
     @property
     def chance(self) -> FloatArray:
-        """(n, k), mm: how it drifts, settles and wanders, one standard deviation each; its zero is free."""
+        """(n, k), mm: how it drifts, where its ball stands, how it settles and wanders, one standard deviation each;
+        its zero is free.
+        """
         settled = self.settles * settling(self.passed)
-        return np.column_stack([self.drift, settled, self.wanders * wandering(self.passed)])
+        return np.column_stack([self.of_set_up, settled, self.wanders * wandering(self.passed)])
 
     @property
-    def drift(self) -> FloatArray:
-        """(n,), mm: one standard deviation of its drift."""
-        return min(self.drifts, AS_FREE * self.sigma) * (self.passed - 0.5)
+    def of_set_up(self) -> FloatArray:
+        """(n, 1 or 4), mm: one standard deviation of its drift, and of the place of its ball."""
+        drift, places = np.minimum([self.drifts, self.places], AS_FREE * self.sigma)
+        return np.column_stack([drift * (self.passed - 0.5), places * self.ball])
 
     def whitened(self, columns: FloatArray) -> FloatArray:
         """(n, k) columns by the white and the slow noise alone."""

@@ -47,6 +47,7 @@ from trueaxis.measurement.setup import Run
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
 TOOL_AXIS = 2  # Z of the tool frame, along which a stylus is long: ISO 841 has it point from the tool to its holder
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
+BALL_OF_RUN = "ballbar centre of a run"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,7 +85,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="displacement drift", unit="mm", size=0.5e-3, drift=True),
         UnknownClass(name="ballbar zero", unit="mm", size=2e-3, zero=True),
         UnknownClass(name="ballbar drift", unit="mm", size=1e-3, drift=True),
-        UnknownClass(name="ballbar centre of a run", unit="mm", size=2e-3, of_point=True),
+        UnknownClass(name=BALL_OF_RUN, unit="mm", size=2e-3, of_point=True),
         # of several runs
         UnknownClass(name="ballbar centre", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="ballbar length", unit="mm", size=20e-3, factor=CALIBRATED_FACTOR),
@@ -127,7 +128,7 @@ class SharedUnknown:
 def own_kinds(run: Run, straightness: bool) -> tuple[str, ...]:
     """Classes of the unknowns of a run, in the order of the columns of `own_columns`."""
     if run.instrument == "ballbar":
-        return ("ballbar zero", "ballbar drift", *(["ballbar centre of a run"] * 3))
+        return ("ballbar zero", "ballbar drift", *([BALL_OF_RUN] * 3))
     if straightness:
         of_line = ("straightness zero", "straightness drift")
         return of_line if states_line(run) else (*of_line, "straightness slope")

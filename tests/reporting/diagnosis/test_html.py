@@ -227,8 +227,8 @@ def test_stale_values_are_shown_beside_a_cause() -> None:
 def test_the_noise_says_where_it_is_known_from() -> None:
     """A noise that was given has no degrees of freedom, a white one no correlation."""
     found = {row[0]: row for row in cells(tables_of(page("explained"))["Noise of a reading, \u00b5m"])}
-    assert found["laser"] == ["laser", "0.301", "0.290", "0.0800", "0.40", "0.100", "0.200", "180", "repeats"]
-    assert found["ballbar"] == ["ballbar", "0.300", "0.300", "0", "\u2013", "0", "0", "\u2013", "given"]
+    assert found["laser"] == ["laser", "0.301", "0.290", "0.0800", "0.40", "0.100", "0.200", "\u2013", "180", "repeats"]
+    assert found["ballbar"] == ["ballbar", "0.300", "0.300", "0", "\u2013", "0", "0", "\u2013", "\u2013", "given"]
 
 
 def test_no_p_value_is_one() -> None:

@@ -203,6 +203,7 @@ def _noise(one: NoiseOf) -> dict[str, Any]:
         "correlation": one.correlation,
         f"settles_{unit}": _um(one.settles),
         f"wanders_{unit}": _um(one.wanders),
+        f"places_{unit}": _um(one.places),
         "freedom": one.freedom if one.origin in ESTIMATED else None,
         "origin": one.origin,
     }

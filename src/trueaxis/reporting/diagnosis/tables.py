@@ -242,23 +242,15 @@ def noise(diagnosis: Diagnosis) -> Table:
             _short(one.correlation) if one.correlated else DASH,
             micrometres(one.settles),
             micrometres(one.wanders),
+            micrometres(one.places) if one.places else DASH,
             f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
             noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = (
-        "instrument",
-        "in all",
-        "white",
-        "slow",
-        "correlation",
-        "runs settle by",
-        "runs wander by",
-        "d.o.f.",
-        "known from",
-    )
-    return Table(caption=f"Noise of a reading, {UM}", head=head, rows=rows, numbers=frozenset(range(1, 8)))
+    sizes = ("in all", "white", "slow", "correlation", "runs settle by", "runs wander by", "balls differ by")
+    head = ("instrument", *sizes, "d.o.f.", "known from")
+    return Table(caption=f"Noise of a reading, {UM}", head=head, rows=rows, numbers=frozenset(range(1, 9)))
 
 
 def scan(diagnosis: Diagnosis) -> Table:
