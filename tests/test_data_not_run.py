@@ -98,8 +98,8 @@ def test_only_the_current_folder_goes(tmp_path: Path, monkeypatch: pytest.Monkey
 
 
 def test_no_module_starts_processes_by_another_way() -> None:
-    # beside.py: constants of subprocess alone; via_linuxcnc.py: LinuxCNC's interpreter
-    starters = {"own_python.py", "compiler.py", "beside.py", "via_linuxcnc.py"}
+    # beside.py: constants of subprocess alone; linuxcnc/interpreter.py: LinuxCNC's interpreter
+    starters = {"own_python.py", "compiler.py", "beside.py", "interpreter.py"}
     for path in (ROOT / "src").rglob("*.py"):
         text = path.read_text()
         if path.name not in starters:

@@ -6,7 +6,7 @@ from unittest.mock import patch
 
 from hypothesis import strategies as st
 
-from trueaxis.compensation import nc_runs
+from trueaxis.compensation.nc import runs as nc_runs
 
 FEWEST = st.sampled_from([1, nc_runs.FEWEST])
 

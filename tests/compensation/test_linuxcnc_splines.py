@@ -8,8 +8,8 @@ from scipy.interpolate import BSpline
 
 from tests.compensation.test_via_linuxcnc import AT_ZERO, INSTALLED, PACKAGE
 from tests.shop_programs.grade import grade
-from trueaxis.compensation.linuxcnc_splines import biarcs, curve_of, parameters_of
-from trueaxis.compensation.via_linuxcnc import unroll
+from trueaxis.compensation.linuxcnc.interpreter import unroll
+from trueaxis.compensation.linuxcnc.splines import biarcs, curve_of, parameters_of
 from trueaxis.io.faults import InputError
 
 POINTS = np.array([[0.0, 0.0], [0.0, 30.0], [20.0, 45.0], [50.0, 20.0], [60.0, -10.0], [90.0, 5.0]])

@@ -11,7 +11,7 @@ from tests.compensation.five_axes import TEXTS, FiveAxes
 from tests.compensation.test_via_linuxcnc import INSTALLED, PACKAGE
 from tests.shop_programs.grade import OFFSETS, grade, machine
 from trueaxis.compensation.files import compensate_file
-from trueaxis.compensation.linuxcnc_source import end_faults, may_use_point, offset_faults
+from trueaxis.compensation.linuxcnc.source import end_faults, may_use_point, offset_faults
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.touched_off import touched_off_of_option

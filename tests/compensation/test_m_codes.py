@@ -6,7 +6,7 @@ import pytest
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
-from trueaxis.compensation import m_codes
+from trueaxis.compensation.nc import m_codes
 from trueaxis.io.faults import InputError
 
 HEAD = "G21 G90 G17\nG0 X100. Y100. Z100.\n"

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
 from tests.compensation.few_blocks import runs_of
+from trueaxis.compensation.nc.plain_text import plain_text
 from trueaxis.compensation.offsets import Offsets
-from trueaxis.compensation.plain_text import plain_text
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.io.faults import InputError
 
@@ -255,9 +255,9 @@ CHORDS = [f"X{100 + 0.4 * k:.4f} Y{100 + 20 * np.sin(k):.3f}" for k in range(60)
     ids=["points", "tool paths", "G90 and F first", "no Z", "blanks in words", "any order"],
 )
 def test_most_of_a_long_program_is_runs(bench: Bench, head: list[str], tool_path: list[str]) -> None:
-    from trueaxis.compensation.nc_reader import NcReader, plain_move
+    from trueaxis.compensation.nc.reader import NcReader, plain_move
 
-    by_rule = patch("trueaxis.compensation.nc_reader.plain_move", side_effect=plain_move)
+    by_rule = patch("trueaxis.compensation.nc.reader.plain_move", side_effect=plain_move)
     by_words = patch.object(NcReader, "_any", autospec=True, side_effect=NcReader._any)
     with by_rule as plain, by_words as others:
         text = bench.run("\n".join([*head, *30 * tool_path, "M30\n"]), paper_sized())

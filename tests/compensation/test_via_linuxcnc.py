@@ -15,12 +15,12 @@ from tests.compensation.control import execute
 from tests.shop_programs.grade import OFFSETS, grade
 from tests.shop_programs.interpreter import run
 from trueaxis.cli.main import main
-from trueaxis.compensation import via_linuxcnc
 from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.linuxcnc import interpreter as via_linuxcnc
+from trueaxis.compensation.linuxcnc.interpreter import unroll
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
-from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
 
 PACKAGE = Path(os.environ.get("TRUEAXIS_LINUXCNC", "/"))

@@ -7,9 +7,9 @@ import pytest
 
 from tests.compensation.test_via_linuxcnc import INSTALLED, PACKAGE
 from tests.shop_programs.grade import OFFSETS, grade
+from trueaxis.compensation.linuxcnc.interpreter import unroll
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.tools import Tool, ToolTable
-from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import InputError
 
 pytestmark = pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")

@@ -4,17 +4,17 @@ A program goes through these stages, a bounded batch of blocks at a time:
 
     files       bytes of a program <-> lines; the output is put in place whole or not at all. dialects: what a program
                 says of itself: its language, and the mark by which a compensated one is refused a second time
-    nc_reader, klartext_reader, apt_reader
-                lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_runs
-                (most blocks, many at once, by plain_text; their arcs by nc_run_arcs), nc_lexer (words; siemens for
-                SINUMERIK), nc_block (what they ask for, by nc_codes and m_codes), nc_modes, nc_frames (work offsets),
-                nc_tools, nc_motion, nc_cycles (what holes become: cycle_blocks). Of Klartext: klartext_blocks,
-                klartext_tools, klartext_arcs
+    nc, klartext, apt
+                lines -> items (moves): text that moves nothing, and moves; what is not followed is a fault. Each has a
+                reader. Of nc: runs (most blocks, many at once, by plain_text; their arcs by run_arcs), lexer (words;
+                siemens for SINUMERIK), block (what they ask for, by g_codes and m_codes), modes, frame_codes (work
+                offsets), tool_codes, motion, cycles (what holes become: cycle_blocks); state: modes in force, and which
+                axes the program has put where they stand (tool changes and stops undo it); the others are held: they
+                get no word, nor does one that was commanded in another frame
+    linuxcnc    LinuxCNC's interpreter unrolls a program first: interpreter has it run calls, and makes blocks of them
     columns     moves read together, and arcs, many at once
-    nc_state    modes in force, and which axes the program has put where they stand (tool changes and stops undo it);
-                the others are held: they get no word, nor does one that was commanded in another frame
     offsets, tools
-                what is known of the control before, and the files that say it. frames: what is in force
+                what is known of the control before, and the files that say it. nc.frames: what is in force
     path        moves -> points; arcs become chords within the chord tolerance
     tracker     with effects: which act, and a point of its own where a reversal makes the commands jump; course: how
                 the axes come and go along the path, and the machine at each place of it
@@ -27,8 +27,6 @@ A program goes through these stages, a bounded batch of blocks at a time:
     elsewhere   what axes and work offsets that are somewhere else change
     reliance    the places that the program came to, and how far it relies there on what was measured
     program     all of it; tally: the figures of the report; sign_check: what to compare with the machine before use
-    via_linuxcnc
-                LinuxCNC's interpreter unrolls a program first (linuxcnc_calls, linuxcnc_blocks, linuxcnc_splines)
 
 Moves are in axis positions (machine coordinates), words in the frame of the program. The solver leaves less than a
 hundredth of the tolerance; what is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of

@@ -10,7 +10,7 @@ from typing import BinaryIO, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.apt_reader import AptReader
+from trueaxis.compensation.apt.reader import AptReader
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import (
     MARK,
@@ -23,12 +23,13 @@ from trueaxis.compensation.dialects import (
     marked,
     numbered,
 )
-from trueaxis.compensation.klartext_reader import KlartextReader
-from trueaxis.compensation.linuxcnc_blocks import Unrolled
+from trueaxis.compensation.klartext.reader import KlartextReader
+from trueaxis.compensation.linuxcnc.blocks import Unrolled
+from trueaxis.compensation.linuxcnc.unrolled import check_unrolled, of_source, unrolled_first
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
-from trueaxis.compensation.nc_reader import NcReader
+from trueaxis.compensation.nc.reader import NcReader
 from trueaxis.compensation.overview import overview
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
@@ -37,7 +38,6 @@ from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.sign_check import home_of
 from trueaxis.compensation.touched_off import faults_of as touched_off_faults
-from trueaxis.compensation.unrolled import check_unrolled, of_source, unrolled_first
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
 

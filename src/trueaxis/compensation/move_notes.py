@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from trueaxis.compensation.canned_cycle import Cycle
 from trueaxis.compensation.machine import FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Kind, Notes
+from trueaxis.compensation.nc.canned_cycle import Cycle
 from trueaxis.compensation.path import Held, MoveTable, alike
 from trueaxis.compensation.settings import Settings
 

@@ -12,12 +12,12 @@ from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.datum import FromDatum, FromDatumOnCourse, datum_shift
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
-from trueaxis.compensation.kept_holes import BOTTOM, TOP, check_travel, drilled
 from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.move_notes import note_held, note_turns
 from trueaxis.compensation.moves import Between, Item, KeptHole, Kind, Notes, Setup, Zero
+from trueaxis.compensation.nc.kept_holes import BOTTOM, TOP, check_travel, drilled
 from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport

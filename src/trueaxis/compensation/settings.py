@@ -47,7 +47,7 @@ class Settings:
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
-    the dialect fixes. pass_m, pass_g: M and G codes that the user vouches for, see m_codes, nc_codes.
+    the dialect fixes. pass_m, pass_g: M and G codes that the user vouches for, see nc.m_codes, nc.g_codes.
     offsets: work offsets that are known. tools: tools that are known, None: none are. spindle_tool: the one in the
     spindle before the program, 0: none, None: not known. touched_off: work offsets that were touched off without
     compensation, see datum. keep_g53: motions in machine coordinates stay as they are. reference_points: machine

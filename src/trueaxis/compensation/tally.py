@@ -10,10 +10,10 @@ from trueaxis.compensation.course import Placing
 from trueaxis.compensation.datum import FromDatum
 from trueaxis.compensation.elsewhere import Elsewhere, taken_back
 from trueaxis.compensation.executed import Executed
-from trueaxis.compensation.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
 from trueaxis.compensation.logs import LineLog, Running
 from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.moves import Notes, Setup
+from trueaxis.compensation.nc.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
 from trueaxis.compensation.path import Held, Path, Places
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode

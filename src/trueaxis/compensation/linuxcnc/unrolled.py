@@ -7,21 +7,21 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation.datum import Datum, datum_shift
-from trueaxis.compensation.linuxcnc_blocks import Unrolled
-from trueaxis.compensation.linuxcnc_modes import PASSED
-from trueaxis.compensation.linuxcnc_source import offset_faults
+from trueaxis.compensation.linuxcnc.blocks import Unrolled
+from trueaxis.compensation.linuxcnc.interpreter import unroll
+from trueaxis.compensation.linuxcnc.modes import PASSED
+from trueaxis.compensation.linuxcnc.source import offset_faults
 from trueaxis.compensation.machine import ErrorModel, rotary_rows
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_modes import EXACT_SINCE
-from trueaxis.compensation.nc_tools import IN_SPINDLE
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.modes import EXACT_SINCE
+from trueaxis.compensation.nc.tool_codes import IN_SPINDLE
 from trueaxis.compensation.offsets import Offsets, middle
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
 from trueaxis.compensation.tracker import acting
-from trueaxis.compensation.via_linuxcnc import unroll
 from trueaxis.io.faults import Fault, InputError
 
 UNROLLED = (

@@ -6,12 +6,10 @@ What is not followed is a fault of its line. Frames, tools and where axes stand 
 import math
 from collections.abc import Iterable, Iterator
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.arcs import Arc, ArcError
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
-from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
-from trueaxis.compensation.klartext_blocks import (
+from trueaxis.compensation.klartext.arcs import arc_of, as_arc, polar_end, pole_of
+from trueaxis.compensation.klartext.blocks import (
     MACHINE_COORDINATES,
     PRESET,
     KlartextBlock,
@@ -23,17 +21,19 @@ from trueaxis.compensation.klartext_blocks import (
     other_block,
     too_long,
 )
-from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
+from trueaxis.compensation.klartext.tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ROTARY
 from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
-from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import Meaning
-from trueaxis.compensation.nc_modes import switch
-from trueaxis.compensation.nc_motion import in_its_frame
-from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.lexer import Meaning
+from trueaxis.compensation.nc.modes import switch
+from trueaxis.compensation.nc.motion import in_its_frame
+from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
+from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.offsets import NOT_KNOWN
 from trueaxis.compensation.settings import Settings
 

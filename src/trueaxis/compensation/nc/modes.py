@@ -6,13 +6,13 @@ import math
 import re
 from collections.abc import Sequence
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation.arcs import half_unit
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Notes
-from trueaxis.compensation.nc_lexer import Meaning, decimals_of
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.lexer import Meaning, decimals_of
+from trueaxis.compensation.nc.state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
 GROUP_01 = "G80 ends the cycle: G{}, which was in force before it, is in force again"

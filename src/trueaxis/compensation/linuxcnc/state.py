@@ -3,8 +3,8 @@
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from trueaxis.compensation.linuxcnc_blocks import AXES
-from trueaxis.compensation.linuxcnc_source import TOOL_PARAMETERS
+from trueaxis.compensation.linuxcnc.blocks import AXES
+from trueaxis.compensation.linuxcnc.source import TOOL_PARAMETERS
 from trueaxis.compensation.offsets import NUMBERED, Offsets, middle
 from trueaxis.compensation.tools import Tool
 from trueaxis.io.faults import Fault
@@ -28,7 +28,7 @@ UNKNOWN_PARAMETER = 1000.0371
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Round:
-    """One run of the interpreter. parameters, tools: as files of LinuxCNC in mm; table: see linuxcnc_calls; start: a
+    """One run of the interpreter. parameters, tools: as files of LinuxCNC in mm; table: see calls; start: a
     block; moved: by a tool change, X Y Z A B C.
     """
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.dialects import is_marked
 from trueaxis.compensation.machine import FloatArray
-from trueaxis.compensation.nc_lexer import LARGEST, active_comment
+from trueaxis.compensation.nc.lexer import LARGEST, active_comment
 
 LETTERS = "NGXYZABCIJKRFSM"  # in the order of words
 _DIGIT, _DOT, _SIGN, _BLANK, _RETURN, _NEWLINE, _N, _G, _X = range(1, 10)

@@ -7,8 +7,8 @@ written out go in the mode that the program says: G64 could cut the bottom of a 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.linuxcnc_modes import written
+from trueaxis.compensation.linuxcnc.modes import written
+from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.settings import MM_PER_INCH
 
 _TOLERANCES = "PQ"  # of the path, and of points in line that are left out

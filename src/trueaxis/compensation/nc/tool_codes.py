@@ -4,13 +4,13 @@ SINUMERIK changes the tool at T where its machine data say so (MD22550), turrets
 ISO programs. Where M6 changes the tool, T before it only selects one.
 """
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_lexer import Meaning
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.lexer import Meaning
+from trueaxis.compensation.nc.state import NcState
 from trueaxis.compensation.settings import Dialect, Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 

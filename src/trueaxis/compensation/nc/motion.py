@@ -2,7 +2,6 @@
 
 import math
 
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.arcs import (
     Arc,
     ArcError,
@@ -16,11 +15,12 @@ from trueaxis.compensation.arcs import (
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Round, Start
-from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
-from trueaxis.compensation.nc_modes import ModeReader, half_unit_of
-from trueaxis.compensation.nc_state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.lexer import REPLACED, Block, Meaning, block_text
+from trueaxis.compensation.nc.modes import ModeReader, half_unit_of
+from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
+from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _STRAIGHT = (Kind.RAPID, Kind.LINE)

@@ -2,7 +2,7 @@
 # ruff: noqa: D102
 """Runs in LinuxCNC's own Python, apart from trueaxis: all that its interpreter asks of the machine in one program.
 
-linuxcnc_calls.py TASK.json, whose keys are: program, its file; var, that of its parameters; table, that of its tools,
+calls.py TASK.json, whose keys are: program, its file; var, that of its parameters; table, that of its tools,
 as LinuxCNC has it; packages, where the module gcode is; tools, in the order of the table, each its number, X Y Z
 offset, diameter (mm), front and back angle, orientation, the first that in the spindle; start, a block that puts the
 axes where they are taken to stand; skips, whether / blocks are skipped; moved, how far X Y Z A B C (mm, deg) stand
@@ -80,7 +80,7 @@ class Canon:
         self.line, self.changed_in, self.units = state.sequence_number, None, state.units
 
     def call(self, name, given):
-        """A call of linuxcnc_hooks."""
+        """A call of hooks."""
         if name == "USE_LENGTH_UNITS":
             self.unit = MM if given[0] == INCHES else 1.0
         elif name == "SET_MOTION_CONTROL_MODE":
@@ -96,7 +96,7 @@ class Canon:
         self.say("call", name, *(one.decode("latin-1") if isinstance(one, bytes) else one for one in given))
 
     def answers(self):
-        """What linuxcnc_hooks answers: as LinuxCNC's control does, in units of the program."""
+        """What hooks answers: as LinuxCNC's control does, in units of the program."""
         names = {f"GET_EXTERNAL_{name}_TOLERANCE": name for name in self.tolerance}
         return {call: lambda name=name: self.tolerance[name] / self.unit for call, name in names.items()}
 
@@ -216,9 +216,9 @@ class Canon:
 def main(task):
     """Run one program."""
     sys.path.insert(0, task["packages"])
-    # gcode is LinuxCNC's; linuxcnc_hooks stands beside this file, which is no part of a package where it runs
+    # gcode is LinuxCNC's; hooks stands beside this file, which is no part of a package where it runs
     import gcode  # noqa: PLC0415
-    import linuxcnc_hooks  # noqa: PLC0415
+    import hooks  # noqa: PLC0415
 
     # the table of tools is memory shared by way of a file in HOME; without it the module crashes
     table = ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)
@@ -228,7 +228,7 @@ def main(task):
         os.dup2(2, 1)  # what the program prints, (PRINT, ..), goes elsewhere
         canon = Canon(task, Held(gcode.__file__), out)
         try:
-            heard = linuxcnc_hooks.hear(canon.call, canon.answers())
+            heard = hooks.hear(canon.call, canon.answers())
         except LookupError as missing:
             print(json.dumps(["end", 0, -1, str(missing)]), file=out)
             return None

@@ -5,9 +5,9 @@ calls do to positions.
 import re
 from typing import NamedTuple
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.nc_lexer import (
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.lexer import (
     LARGEST,
     NUMBER,
     Block,

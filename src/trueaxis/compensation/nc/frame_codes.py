@@ -1,10 +1,10 @@
 """The codes that shift the frame of an NC program's positions: G54 to G59.3, G10, G52, G92."""
 
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Notes, Setup, Zero
-from trueaxis.compensation.nc_lexer import Block, Meaning, block_text
-from trueaxis.compensation.nc_state import Commanded, NcState
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc.lexer import Block, Meaning, block_text
+from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED
 from trueaxis.compensation.settings import Settings
 

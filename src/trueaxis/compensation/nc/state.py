@@ -9,14 +9,14 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-from trueaxis.compensation.canned_cycle import Cycle
-from trueaxis.compensation.frames import Frames
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Start
-from trueaxis.compensation.nc_lexer import FeedMode
+from trueaxis.compensation.nc.canned_cycle import Cycle
+from trueaxis.compensation.nc.frames import Frames
+from trueaxis.compensation.nc.lexer import FeedMode
+from trueaxis.compensation.nc.path_mode import PathMode
 from trueaxis.compensation.offsets import Offsets
-from trueaxis.compensation.path_mode import PathMode
 from trueaxis.compensation.settings import MM_PER_INCH
 
 

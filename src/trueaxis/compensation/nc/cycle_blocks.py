@@ -10,14 +10,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import NO_ARCS, BlockPlaces, PlainRun
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.moves import Item, Kind, Move
-from trueaxis.compensation.nc_lexer import Block, Meaning, due_at_end
-from trueaxis.compensation.nc_state import NcState, missing_axes, starts_elsewhere, unknown_position
-from trueaxis.compensation.plain_text import LETTERS, PlainText
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc.lexer import Block, Meaning, due_at_end
+from trueaxis.compensation.nc.plain_text import LETTERS, PlainText
+from trueaxis.compensation.nc.state import NcState, missing_axes, starts_elsewhere, unknown_position
 
 MOST_PECKS = 10_000
 

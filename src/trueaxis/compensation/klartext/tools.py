@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from trueaxis.compensation.nc_lexer import NUMBER
+from trueaxis.compensation.nc.lexer import NUMBER
 from trueaxis.compensation.settings import MM_PER_INCH
 from trueaxis.compensation.tools import ToolTable
 

@@ -7,14 +7,14 @@ become M codes or comments; whatever else may move or shift anything is a fault 
 import math
 from collections.abc import Callable, Iterable, Iterator
 
-from trueaxis.compensation import apt_statements as words
-from trueaxis.compensation.apt_statements import Statement, decimals_of, feed_of, follow_codes, number_of, statements
+from trueaxis.compensation.apt import statements as words
+from trueaxis.compensation.apt.statements import Statement, decimals_of, feed_of, follow_codes, number_of, statements
 from trueaxis.compensation.arcs import Arc, ArcError, Circle, Vector, arcs_through, half_unit, unit
 from trueaxis.compensation.dialects import unmarked
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Start
-from trueaxis.compensation.nc_state import Commanded, CommandedAxes
+from trueaxis.compensation.nc.state import Commanded, CommandedAxes
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _EOL = "\n"

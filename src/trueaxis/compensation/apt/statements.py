@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import STOP, TOOL_CHANGE, Notes
-from trueaxis.compensation.nc_state import CommandedAxes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.state import CommandedAxes
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 LONGEST = 100_000  # characters of one statement with its continuations

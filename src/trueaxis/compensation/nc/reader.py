@@ -11,24 +11,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import PlainRun
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Start
-from trueaxis.compensation.nc_block import interpret
-from trueaxis.compensation.nc_cycles import CycleReader
-from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import LARGEST, NUMBER, Block, Meaning, lex
-from trueaxis.compensation.nc_modes import ModeReader, switch
-from trueaxis.compensation.nc_motion import MotionReader, to_reference
-from trueaxis.compensation.nc_runs import RunReader
-from trueaxis.compensation.nc_state import NcState
-from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.block import interpret
+from trueaxis.compensation.nc.cycles import CycleReader
+from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
+from trueaxis.compensation.nc.modes import ModeReader, switch
+from trueaxis.compensation.nc.motion import MotionReader, to_reference
+from trueaxis.compensation.nc.runs import RunReader
+from trueaxis.compensation.nc.siemens import lex_siemens, take_functions
+from trueaxis.compensation.nc.state import NcState
+from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
-from trueaxis.compensation.siemens import lex_siemens, take_functions
 
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from trueaxis.compensation import m_codes
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Notes
-from trueaxis.compensation.nc_lexer import NUMBER, decimal_comma, decimals_of
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.lexer import NUMBER, decimal_comma, decimals_of
 from trueaxis.compensation.settings import Settings
 
 _HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")

@@ -3,9 +3,12 @@
 from collections.abc import Hashable, Iterator
 from dataclasses import replace
 
-from trueaxis.compensation import nc_codes as codes
-from trueaxis.compensation.canned_cycle import Cycle, peck_in_doubt
-from trueaxis.compensation.cycle_blocks import (
+from trueaxis.compensation.logs import FaultLog
+from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
+from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc.canned_cycle import Cycle, peck_in_doubt
+from trueaxis.compensation.nc.cycle_blocks import (
     DWELL,
     DWELLING,
     FEED,
@@ -18,13 +21,10 @@ from trueaxis.compensation.cycle_blocks import (
     Hole,
     steps,
 )
-from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
-from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes
-from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_lexer import REPLACED, Block, Meaning, block_text
-from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_state import Commanded, NcState
+from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.lexer import REPLACED, Block, Meaning, block_text
+from trueaxis.compensation.nc.modes import ModeReader
+from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000

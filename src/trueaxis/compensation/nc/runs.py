@@ -11,17 +11,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.columns import BlockPlaces, PlainRun
-from trueaxis.compensation.cycle_blocks import holes_alike, holes_run
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
-from trueaxis.compensation.nc_cycles import CycleReader
-from trueaxis.compensation.nc_frames import FrameReader
-from trueaxis.compensation.nc_modes import codes_in_force
-from trueaxis.compensation.nc_run_arcs import ArcReader
-from trueaxis.compensation.nc_state import Commanded, NcState
-from trueaxis.compensation.plain_text import LETTERS, PlainText, plain_text
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.cycle_blocks import holes_alike, holes_run
+from trueaxis.compensation.nc.cycles import CycleReader
+from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.modes import codes_in_force
+from trueaxis.compensation.nc.plain_text import LETTERS, PlainText, plain_text
+from trueaxis.compensation.nc.run_arcs import ArcReader
+from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 FEWEST = 12  # blocks: below, arrays cost more than they save

@@ -4,11 +4,11 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.machine import ROTARY
 from trueaxis.compensation.moves import Split
-from trueaxis.compensation.nc_codes import EXACT_STOP
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.g_codes import EXACT_STOP
 from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 
 # possessive quantifiers: no backtracking, so a hostile block costs linear time; none of groups, which Python before

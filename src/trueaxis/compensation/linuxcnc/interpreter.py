@@ -19,9 +19,9 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-from trueaxis.compensation.linuxcnc_blocks import AXES, SAME, UNCERTAIN, Motion, Unrolled, unrolled_program
-from trueaxis.compensation.linuxcnc_modes import Call
-from trueaxis.compensation.linuxcnc_source import (
+from trueaxis.compensation.linuxcnc.blocks import AXES, SAME, UNCERTAIN, Motion, Unrolled, unrolled_program
+from trueaxis.compensation.linuxcnc.modes import Call
+from trueaxis.compensation.linuxcnc.source import (
     Source,
     control_faults,
     end_faults,
@@ -30,7 +30,7 @@ from trueaxis.compensation.linuxcnc_source import (
     marked_source,
     may_use_point,
 )
-from trueaxis.compensation.linuxcnc_state import Round, known_parameters, point_faults, rounds_of
+from trueaxis.compensation.linuxcnc.state import Round, known_parameters, point_faults, rounds_of
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED, Offsets, half_width
 from trueaxis.compensation.settings import BlockDelete
@@ -38,7 +38,7 @@ from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 
-CALLS = Path(__file__).with_name("linuxcnc_calls.py")
+CALLS = Path(__file__).with_name("calls.py")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is made for
 SECONDS = 600
 _OPTIONAL = re.compile(rb"(?m)^[ \t]*/")
@@ -156,7 +156,7 @@ def _check_offsets(records: Sequence[Record], offsets: Offsets, axes: Sequence[s
 
 
 def _run(one: Round, task: Mapping[str, object], folder: Path, env: Mapping[str, str]) -> list[Record]:
-    """What the interpreter asks of the machine in one run, see linuxcnc_calls."""
+    """What the interpreter asks of the machine in one run, see calls."""
     more = {"start": one.start, "moved": one.moved, "tools": one.table}
     files = {"var": one.parameters, "table": one.tools}
     write_files({folder / name: text for name, text in files.items()})

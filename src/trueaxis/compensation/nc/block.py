@@ -1,9 +1,9 @@
 """Sorts the words of one NC block by what they do."""
 
-from trueaxis.compensation import m_codes
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.machine import LINEAR, ROTARY
-from trueaxis.compensation.nc_lexer import Block, Meaning, Word
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.lexer import Block, Meaning, Word
 from trueaxis.compensation.offsets import system_name
 from trueaxis.compensation.settings import Settings
 

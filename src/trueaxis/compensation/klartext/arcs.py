@@ -13,11 +13,11 @@ from trueaxis.compensation.arcs import (
     arc_of_radius,
     rounding_of,
 )
-from trueaxis.compensation.klartext_blocks import KlartextBlock
+from trueaxis.compensation.klartext.blocks import KlartextBlock
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Round
-from trueaxis.compensation.nc_modes import half_unit_of
-from trueaxis.compensation.nc_state import Commanded, NcState
+from trueaxis.compensation.nc.modes import half_unit_of
+from trueaxis.compensation.nc.state import Commanded, NcState
 
 _PLANE = ("X", "Y")
 

@@ -9,7 +9,7 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from trueaxis.compensation.nc_tools import SPINDLE_REMEDY
+from trueaxis.compensation.nc.tool_codes import SPINDLE_REMEDY
 from trueaxis.io.faults import Fault
 
 LONGEST = 250  # characters of a block: LinuxCNC takes lines up to 254 with their ends

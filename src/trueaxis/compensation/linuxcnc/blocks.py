@@ -8,8 +8,8 @@ from itertools import takewhile
 
 import numpy as np
 
-from trueaxis.compensation.linuxcnc_modes import Call, Modes, written
-from trueaxis.compensation.linuxcnc_splines import POINTS, biarcs, curve_of
+from trueaxis.compensation.linuxcnc.modes import Call, Modes, written
+from trueaxis.compensation.linuxcnc.splines import POINTS, biarcs, curve_of
 from trueaxis.compensation.tools import Tool
 
 AXES = "XYZABC"

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation import nc_codes as codes
 from trueaxis.compensation.arcs import (
     Numbers,
     Point,
@@ -21,11 +20,12 @@ from trueaxis.compensation.arcs import (
 )
 from trueaxis.compensation.columns import NO_ARCS, Arcs
 from trueaxis.compensation.machine import LINEAR, FloatArray
-from trueaxis.compensation.nc_lexer import decimals_of
-from trueaxis.compensation.nc_modes import undotted_decimals
-from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc import g_codes as codes
+from trueaxis.compensation.nc.lexer import decimals_of
+from trueaxis.compensation.nc.modes import undotted_decimals
+from trueaxis.compensation.nc.plain_text import LETTERS, PlainText
+from trueaxis.compensation.nc.state import NcState
 from trueaxis.compensation.path import holds_arc
-from trueaxis.compensation.plain_text import LETTERS, PlainText
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _CENTRE, _RADIUS = LETTERS.index("I"), LETTERS.index("R")

@@ -1,0 +1,1 @@
+"""Reads APT cutter location files: lines of text -> items, see reader."""

@@ -1,0 +1,1 @@
+"""Reads Heidenhain Klartext programs: lines of text -> items, see reader."""

@@ -1,0 +1,1 @@
+"""Has an installed interpreter of LinuxCNC unroll a program first, see interpreter."""
