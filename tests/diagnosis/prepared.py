@@ -13,15 +13,15 @@ from tests.hidden_effects.data import Data
 from tests.hidden_effects.design import Design
 from tests.kernels import kernels_of
 from tests.machines import machine_of
-from trueaxis.diagnosis.base import ANYWHERE, Base, base_of
-from trueaxis.diagnosis.candidates import candidates
-from trueaxis.diagnosis.freedom import Freedom, freedom_of
-from trueaxis.diagnosis.projection import Projection, spanned
+from trueaxis.diagnosis.causes.candidates import candidates
+from trueaxis.diagnosis.causes.search import Ground
+from trueaxis.diagnosis.causes.signature import Readings, readings_of
+from trueaxis.diagnosis.null_model.base import ANYWHERE, Base, base_of
+from trueaxis.diagnosis.null_model.freedom import Freedom, freedom_of
+from trueaxis.diagnosis.null_model.projection import Projection, spanned
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
+from trueaxis.diagnosis.null_model.whiten import MODES, SETTLED, RunNoise, Whitening, whitening
 from trueaxis.diagnosis.result import NoiseOf
-from trueaxis.diagnosis.rows import Rows, rows_of
-from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signature import Readings, readings_of
-from trueaxis.diagnosis.whiten import MODES, SETTLED, RunNoise, Whitening, whitening
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.model.errors import read_errors

@@ -7,9 +7,9 @@ import numpy as np
 from tests.diagnosis.prepared import SMALL, field_of, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.absences import absences
-from trueaxis.diagnosis.at_hand import both_ways, rounds_at_hand
-from trueaxis.diagnosis.audit import audit
+from trueaxis.diagnosis.further_runs.absences import absences
+from trueaxis.diagnosis.further_runs.at_hand import both_ways, rounds_at_hand
+from trueaxis.diagnosis.further_runs.audit import audit
 from trueaxis.reporting.diagnosis.further import absence_sentence
 
 

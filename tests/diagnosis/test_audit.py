@@ -7,11 +7,11 @@ import pytest
 
 from tests.diagnosis.prepared import WHITE, Field, field
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.audit import Audit, audit
-from trueaxis.diagnosis.prepared import inner_of, prepared
-from trueaxis.diagnosis.scan import residual_of, scanned
-from trueaxis.diagnosis.search import Ground
-from trueaxis.diagnosis.signatures import parameter_signature, signature_of
+from trueaxis.diagnosis.causes.prepared import inner_of, prepared
+from trueaxis.diagnosis.causes.scan import residual_of, scanned
+from trueaxis.diagnosis.causes.search import Ground
+from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
+from trueaxis.diagnosis.further_runs.audit import Audit, audit
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.unknowns import unit_in
 

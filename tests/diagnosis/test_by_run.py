@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, Field, field
-from trueaxis.diagnosis.by_run import ByRun, by_run
+from trueaxis.diagnosis.null_model.by_run import ByRun, by_run
 from trueaxis.estimation.factors import few_of
 
 

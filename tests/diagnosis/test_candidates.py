@@ -9,10 +9,10 @@ import pytest
 from tests.diagnosis.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.candidates import candidates, grid_of
-from trueaxis.diagnosis.search import WORTH_ZOOMING
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.causes.candidates import candidates, grid_of
+from trueaxis.diagnosis.causes.search import WORTH_ZOOMING
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.effects.kind import Effect
 
 

@@ -9,9 +9,9 @@ import pytest
 from scipy.stats import kstest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
-from trueaxis.diagnosis.checks import LOOKS, run_checks, structures
-from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.structure import Check, StructureClass
+from trueaxis.diagnosis.judging.checks import LOOKS, run_checks, structures
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.estimation.noise import Noise
 from trueaxis.reporting.diagnosis.structures import check_name
 

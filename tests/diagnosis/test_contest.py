@@ -8,10 +8,10 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.causes.signatures import parameter_signature
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 
 PLAN = Design(lines=2, repeats=2, targets=15, ball_bar=False)

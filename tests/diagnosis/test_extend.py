@@ -14,8 +14,8 @@ from tests.identification.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
 from trueaxis.diagnosis.extend import changed, identified_anew, kept_readings, named_effects, reidentified, start_values
+from trueaxis.diagnosis.null_model.temperature import smoothed
 from trueaxis.diagnosis.result import Evidence, FloatArray, Verdict
-from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.curves import PolynomialCurve, TableCurve

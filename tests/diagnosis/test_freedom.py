@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.stats import f as f_law
 
-from trueaxis.diagnosis.freedom import Freedom, freedom_of_runs
-from trueaxis.diagnosis.noise_fit import UNEVEN
+from trueaxis.diagnosis.null_model.freedom import Freedom, freedom_of_runs
+from trueaxis.diagnosis.null_model.noise_fit import UNEVEN
 
 DRAWS = 200_000
 READINGS = 9  # of a run that tell its noise

@@ -7,10 +7,10 @@ import pytest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, FloatArray, field, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnosis.gain import Fit, Prediction, fit, gain_of, held_out, predicted
+from trueaxis.diagnosis.causes.signature import Fitted
+from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.judging.gain import Fit, Prediction, fit, gain_of, held_out, predicted
 from trueaxis.diagnosis.result import BoolArray
-from trueaxis.diagnosis.signature import Fitted
-from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 
 WHERE = field(SMALL)

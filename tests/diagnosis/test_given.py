@@ -9,11 +9,11 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.base import given_by_chance
-from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.null import Null, null_of
+from trueaxis.diagnosis.judging.stale import Changes, stale_values
+from trueaxis.diagnosis.null_model.base import given_by_chance
+from trueaxis.diagnosis.null_model.freedom import freedom_of
+from trueaxis.diagnosis.null_model.null import Null, null_of
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.stale import Changes, stale_values
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import CovarianceLink, ErrorValues

@@ -9,10 +9,10 @@ from scipy.integrate import solve_ivp
 
 from tests.diagnosis.prepared import SIGMA, field
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.imperfection import beside_forms, imperfection, imperfections
-from trueaxis.diagnosis.search import search
-from trueaxis.diagnosis.signature import Fitted, Readings
-from trueaxis.diagnosis.signatures import parameter_signature
+from trueaxis.diagnosis.causes.imperfection import beside_forms, imperfection, imperfections
+from trueaxis.diagnosis.causes.search import search
+from trueaxis.diagnosis.causes.signature import Fitted, Readings
+from trueaxis.diagnosis.causes.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 
 FloatArray = npt.NDArray[np.float64]

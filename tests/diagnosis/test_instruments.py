@@ -9,13 +9,13 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.base import WIDE, base_of
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
 from trueaxis.diagnosis.extend import named_effects, start_values
-from trueaxis.diagnosis.instruments import Off, _chance, _Unknown, instruments_off
-from trueaxis.diagnosis.null import null_of
+from trueaxis.diagnosis.judging.instruments import Off, _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.null_model.base import WIDE, base_of
+from trueaxis.diagnosis.null_model.null import null_of
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
 
@@ -72,7 +72,7 @@ def test_large_errors_of_the_machine_are_no_cause_of_an_instrument(
     effect = Effect(kind="cyclic", component="EXX")
     rough = signature_of(readings_of(given().model, given().rows), effect, ({"pitch": 16.7},)).over_all()[:, 0]
     assert found(readings(3) + size * rough) == ()
-    monkeypatch.setattr("trueaxis.diagnosis.instruments.WIDER", (WIDE,))
+    monkeypatch.setattr("trueaxis.diagnosis.judging.instruments.WIDER", (WIDE,))
     assert found(readings(3) + size * rough) != ()
 
 

@@ -13,8 +13,8 @@ from tests.hidden_effects.design import Design
 from tests.hidden_effects.machines import MACHINES
 from tests.kernels import kernels_of
 from tests.machines import machine_of, three_axis_texts
-from trueaxis.diagnosis.menu import FurtherRun, menu
-from trueaxis.diagnosis.rows import Rows, rows_of
+from trueaxis.diagnosis.further_runs.menu import FurtherRun, menu
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_geometry import ideal_bar, ideal_displacement
 from trueaxis.measurement.readings import Readings

@@ -11,11 +11,11 @@ from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis import procedure
 from trueaxis.diagnosis.extend import Anew, Extend
-from trueaxis.diagnosis.misfit import Known, misfits
-from trueaxis.diagnosis.null import Null, null_of
+from trueaxis.diagnosis.judging.misfit import Known, misfits
+from trueaxis.diagnosis.null_model.null import Null, null_of
+from trueaxis.diagnosis.null_model.rows import rows_of
 from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.diagnosis.rows import rows_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.model import MachineModel

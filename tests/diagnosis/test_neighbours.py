@@ -5,8 +5,8 @@ import pytest
 from scipy.linalg import block_diag
 
 from tests.diagnosis.prepared import SIGMA, Field, FloatArray, dense_covariance, field, noise_of
-from trueaxis.diagnosis.neighbours import among, disturbed, explained_by
-from trueaxis.diagnosis.search import Found, Ground, search, whitened_columns
+from trueaxis.diagnosis.causes.neighbours import among, disturbed, explained_by
+from trueaxis.diagnosis.causes.search import Found, Ground, search, whitened_columns
 
 
 def planted(where: Field, count: int, size: float, seed: int = 3) -> tuple[Ground, list[int]]:

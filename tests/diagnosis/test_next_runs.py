@@ -9,17 +9,17 @@ from tests.diagnosis.prepared import SIGMA, Field, field, field_of, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.audit import ISOLATION, Audit, audit
-from trueaxis.diagnosis.base import base_of
-from trueaxis.diagnosis.candidates import grid_of
-from trueaxis.diagnosis.next_runs import Ahead, is_of_use, next_runs, separating_run
-from trueaxis.diagnosis.of_plan import Placed
+from trueaxis.diagnosis.causes.candidates import grid_of
+from trueaxis.diagnosis.causes.signatures import signature_of
+from trueaxis.diagnosis.further_runs.audit import ISOLATION, Audit, audit
+from trueaxis.diagnosis.further_runs.next_runs import Ahead, is_of_use, next_runs, separating_run
+from trueaxis.diagnosis.further_runs.of_plan import Placed
+from trueaxis.diagnosis.further_runs.prospect import TIMES, Outlook, Prospect, inverse_roots, outlooks_of, prospect_of
+from trueaxis.diagnosis.further_runs.separation import separation, told
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.null_model.base import base_of
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.prospect import TIMES, Outlook, Prospect, inverse_roots, outlooks_of, prospect_of
 from trueaxis.diagnosis.result import Diagnosis, NoiseOf
-from trueaxis.diagnosis.separation import separation, told
-from trueaxis.diagnosis.signatures import signature_of
-from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.context import context_of
 

@@ -14,11 +14,11 @@ from statsmodels.tsa.arima_process import arma_generate_sample
 from tests.diagnosis.prepared import SIGMA, FloatArray, dense_covariance, prepared, run_noise
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.base import Base, base_of
-from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
-from trueaxis.diagnosis.noise_precision import precision_of
+from trueaxis.diagnosis.null_model.base import Base, base_of
+from trueaxis.diagnosis.null_model.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
+from trueaxis.diagnosis.null_model.noise_precision import precision_of
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.result import NoiseOf
-from trueaxis.diagnosis.rows import Rows, rows_of
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.setup import Device
 

@@ -9,10 +9,10 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, dense_covariance, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.null import Null, expected_root, explained, fitted, less_own, null_of, undecided
+from trueaxis.diagnosis.null_model.null import Null, expected_root, explained, fitted, less_own, null_of, undecided
+from trueaxis.diagnosis.null_model.rows import Rows
+from trueaxis.diagnosis.null_model.whiten import SETTLED
 from trueaxis.diagnosis.result import IntArray
-from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.whiten import SETTLED
 
 
 @cache

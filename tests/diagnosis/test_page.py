@@ -14,12 +14,13 @@ import pytest
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli.main import main
-from trueaxis.diagnosis import checks_of_runs, gain, imperfection, search, stale, verdict
-from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
-from trueaxis.diagnosis.base import DEGREE
-from trueaxis.diagnosis.checks import DEGREE as DEGREE_OF_LINES
-from trueaxis.diagnosis.checks import LOBES, RIPPLE
-from trueaxis.diagnosis.structure import Check, StructureClass
+from trueaxis.diagnosis.causes import imperfection, search
+from trueaxis.diagnosis.further_runs.audit import CONFOUNDED, DETECTION, ISOLATION
+from trueaxis.diagnosis.judging import checks_of_runs, gain, stale, verdict
+from trueaxis.diagnosis.judging.checks import DEGREE as DEGREE_OF_LINES
+from trueaxis.diagnosis.judging.checks import LOBES, RIPPLE
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.null_model.base import DEGREE
 from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 from trueaxis.estimation.instruments import CLASSES

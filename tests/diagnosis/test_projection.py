@@ -5,8 +5,8 @@ import pytest
 from scipy.linalg import null_space, orth, subspace_angles
 
 from tests.diagnosis.prepared import SMALL, WHITE, field
-from trueaxis.diagnosis.by_run import by_run, of_basis
-from trueaxis.diagnosis.projection import Projection, orthonormal, spanned
+from trueaxis.diagnosis.null_model.by_run import by_run, of_basis
+from trueaxis.diagnosis.null_model.projection import Projection, orthonormal, spanned
 
 
 def dependent(seed: int = 0) -> np.ndarray:

@@ -8,11 +8,11 @@ import pytest
 from scipy.optimize import least_squares
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, WHITE, Field, field, noise_of
-from trueaxis.diagnosis.judgement import amplitudes_of
-from trueaxis.diagnosis.refit import refit
-from trueaxis.diagnosis.search import Found, Ground, scan_all, zoomed
-from trueaxis.diagnosis.signature import Fitted
-from trueaxis.diagnosis.signatures import parameter_signature
+from trueaxis.diagnosis.causes.refit import refit
+from trueaxis.diagnosis.causes.search import Found, Ground, scan_all, zoomed
+from trueaxis.diagnosis.causes.signature import Fitted
+from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.judging.judgement import amplitudes_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 

@@ -10,13 +10,13 @@ from tests.diagnosis.prepared import SIGMA, Prepared, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.base import DEGREE, ROUGH, base_of, rough_degree
+from trueaxis.diagnosis.causes.search import Search, search
+from trueaxis.diagnosis.causes.signature import Readings
+from trueaxis.diagnosis.causes.signatures import signature_of
+from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, base_of, rough_degree
+from trueaxis.diagnosis.null_model.roughness import Roughness
+from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.roughness import Roughness
-from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.search import Search, search
-from trueaxis.diagnosis.signature import Readings
-from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.model import MachineModel

@@ -12,11 +12,11 @@ from scipy.stats import f, kstest
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, WHITE, Field, dense_covariance, field, noise_of
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis import prepared
-from trueaxis.diagnosis.prepared import Prepared, inner_of
-from trueaxis.diagnosis.scan import HELD, Scanned, peaks_of, residual_of, scanned
-from trueaxis.diagnosis.signature import Signature
-from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.causes import prepared
+from trueaxis.diagnosis.causes.prepared import Prepared, inner_of
+from trueaxis.diagnosis.causes.scan import HELD, Scanned, peaks_of, residual_of, scanned
+from trueaxis.diagnosis.causes.signature import Signature
+from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 

@@ -9,12 +9,12 @@ from scipy.stats import chi2
 
 from tests.diagnosis.prepared import SIGMA, field, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnosis import scan
-from trueaxis.diagnosis.prepared import inner_of
-from trueaxis.diagnosis.prepared import prepared as prepare
-from trueaxis.diagnosis.rows import rows_of
-from trueaxis.diagnosis.search import Ground, search, without
-from trueaxis.diagnosis.signatures import parameter_signature, signature_of
+from trueaxis.diagnosis.causes import scan
+from trueaxis.diagnosis.causes.prepared import inner_of
+from trueaxis.diagnosis.causes.prepared import prepared as prepare
+from trueaxis.diagnosis.causes.search import Ground, search, without
+from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
+from trueaxis.diagnosis.null_model.rows import rows_of
 from trueaxis.effects.kind import Effect
 
 FloatArray = npt.NDArray[np.float64]

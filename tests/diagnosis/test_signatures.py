@@ -10,8 +10,8 @@ import pytest
 from tests.diagnosis.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.signature import Readings, readings_of
-from trueaxis.diagnosis.signatures import parameter_signature, signature_of
+from trueaxis.diagnosis.causes.signature import Readings, readings_of
+from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.evaluation.iso230_4.circular_test import circularity
 

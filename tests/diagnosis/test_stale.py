@@ -6,12 +6,12 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, SMALL, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.null import null_of
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.judging.stale import _Asked, clearest, stale_values
+from trueaxis.diagnosis.null_model.freedom import freedom_of
+from trueaxis.diagnosis.null_model.null import null_of
 from trueaxis.diagnosis.result import Stale
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import parameter_signature
-from trueaxis.diagnosis.stale import _Asked, clearest, stale_values
 from trueaxis.effects.kind import Effect
 
 STRAIGHT = Design(lines=1, repeats=2, targets=21, straightness=True, ball_bar=False)

@@ -11,8 +11,8 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.temperature import Course
+from trueaxis.diagnosis.null_model.temperature import assumed, smoothed
 from trueaxis.diagnosis.procedure import diagnose
-from trueaxis.diagnosis.temperature import assumed, smoothed
 from trueaxis.measurement.data import MeasuredData
 
 

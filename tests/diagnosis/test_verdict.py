@@ -5,13 +5,13 @@ import pytest
 from scipy.stats import norm
 
 from tests.diagnosis.prepared import SIGMA, field
-from trueaxis.diagnosis.refit import refit
+from trueaxis.diagnosis.causes.refit import refit
+from trueaxis.diagnosis.causes.search import search
+from trueaxis.diagnosis.causes.signature import Fitted
+from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.judging.verdict import explained_share, names_stand, verdict_of
 from trueaxis.diagnosis.result import Stale
-from trueaxis.diagnosis.search import search
-from trueaxis.diagnosis.signature import Fitted
-from trueaxis.diagnosis.signatures import parameter_signature
-from trueaxis.diagnosis.structure import Check, StructureClass
-from trueaxis.diagnosis.verdict import explained_share, names_stand, verdict_of
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 

@@ -6,7 +6,7 @@ import statsmodels.api as sm
 from scipy.linalg import block_diag
 
 from tests.diagnosis.prepared import FloatArray, dense_covariance, drawn_noise, run_noise
-from trueaxis.diagnosis.whiten import RunNoise, Whitening, wandering, whitening
+from trueaxis.diagnosis.null_model.whiten import RunNoise, Whitening, wandering, whitening
 from trueaxis.estimation.noise import Noise
 
 NOISES = {

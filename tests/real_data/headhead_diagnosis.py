@@ -13,12 +13,12 @@ from tests.real_data.headhead import SPEC
 from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
 from tests.real_data.headhead_least_squares import rms_3d
 from trueaxis.cli.main import main as trueaxis
-from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.null_model.base import base_of
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis, FloatArray
-from trueaxis.diagnosis.rows import Rows, rows_of
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
 from trueaxis.io.faults import Faults
 from trueaxis.machine.read import parse_machine

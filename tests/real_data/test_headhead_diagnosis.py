@@ -5,7 +5,7 @@ import pytest
 
 from tests.real_data.headhead_data import FILE, poses
 from tests.real_data.headhead_diagnosis import LOBES, base_left_out, command, diagnosis, given, lobes_left_out
-from trueaxis.diagnosis.rows import rows_of
+from trueaxis.diagnosis.null_model.rows import rows_of
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/headhead_5axis is not here")
 

@@ -5,8 +5,8 @@ import pytest
 
 from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gained, lost_motion
 from tests.real_data.linear_axis_data import FILE, readings
+from trueaxis.diagnosis.judging.structure import StructureClass
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.diagnosis.structure import StructureClass
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
 from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
 

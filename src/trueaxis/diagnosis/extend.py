@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from trueaxis.diagnosis.instruments import NOT_OF_THE_MACHINE
+from trueaxis.diagnosis.judging.instruments import NOT_OF_THE_MACHINE
+from trueaxis.diagnosis.null_model.temperature import assumed, smoothed
 from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
-from trueaxis.diagnosis.temperature import assumed, smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES

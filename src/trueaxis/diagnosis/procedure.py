@@ -5,27 +5,27 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnosis.audit import audit
-from trueaxis.diagnosis.base import given_by_chance
-from trueaxis.diagnosis.candidates import candidates
+from trueaxis.diagnosis.causes.candidates import candidates
+from trueaxis.diagnosis.causes.hidden_by_noise import in_noise_of_a_run, likeliest
+from trueaxis.diagnosis.causes.imperfection import beside_forms
+from trueaxis.diagnosis.causes.neighbours import LeftOut, among, disturbed, of_one_run
+from trueaxis.diagnosis.causes.refit import refit, refitted_columns, standing_effects
+from trueaxis.diagnosis.causes.rivals import with_best_periods
+from trueaxis.diagnosis.causes.search import MOST_CAUSES, Each, Found, Ground, Search, search
+from trueaxis.diagnosis.causes.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.extend import Extend, identified_anew
-from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
-from trueaxis.diagnosis.hidden_by_noise import in_noise_of_a_run, likeliest
-from trueaxis.diagnosis.imperfection import beside_forms
-from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
-from trueaxis.diagnosis.neighbours import LeftOut, among, disturbed, of_one_run
-from trueaxis.diagnosis.null import Null, again, balls_anywhere, left_out, null_of, rougher, what_is_free
-from trueaxis.diagnosis.prospect import prospect_of
-from trueaxis.diagnosis.refit import refit, refitted_columns, standing_effects
+from trueaxis.diagnosis.further_runs.audit import audit
+from trueaxis.diagnosis.further_runs.prospect import prospect_of
+from trueaxis.diagnosis.judging.gain import fit, gain_by_unit, held_out, predicted
+from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
+from trueaxis.diagnosis.judging.stale import Changes
+from trueaxis.diagnosis.null_model.base import given_by_chance
+from trueaxis.diagnosis.null_model.freedom import freedom_of
+from trueaxis.diagnosis.null_model.null import Null, again, balls_anywhere, left_out, null_of, rougher, what_is_free
+from trueaxis.diagnosis.null_model.roughness import roughness_of
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
+from trueaxis.diagnosis.null_model.temperature import smoothed
 from trueaxis.diagnosis.result import Diagnosis, FloatArray, NoiseOf
-from trueaxis.diagnosis.rivals import with_best_periods
-from trueaxis.diagnosis.roughness import roughness_of
-from trueaxis.diagnosis.rows import Rows, rows_of
-from trueaxis.diagnosis.search import MOST_CAUSES, Each, Found, Ground, Search, search
-from trueaxis.diagnosis.signature import Fitted, Readings, readings_of
-from trueaxis.diagnosis.stale import Changes
-from trueaxis.diagnosis.temperature import smoothed
 from trueaxis.diagnosis.write_up import Outcome, diagnosis_of
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData

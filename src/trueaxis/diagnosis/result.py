@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Separating
-from trueaxis.diagnosis.structure import Check
+from trueaxis.diagnosis.further_runs.of_plan import Absence, Limit, NextRun, Separating
+from trueaxis.diagnosis.judging.structure import Check
 from trueaxis.effects.kind import Effect
 from trueaxis.model.errors import Determined, ErrorValues
 

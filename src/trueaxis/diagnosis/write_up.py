@@ -7,14 +7,20 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.diagnosis.absences import absences
-from trueaxis.diagnosis.audit import DETECTION, Audit
-from trueaxis.diagnosis.gain import Left, fit, predicted
-from trueaxis.diagnosis.instruments import Off
-from trueaxis.diagnosis.judgement import Judged
-from trueaxis.diagnosis.next_runs import Ahead, ahead_of, next_runs, separating_run
-from trueaxis.diagnosis.null import Null
-from trueaxis.diagnosis.prospect import Prospect
+from trueaxis.diagnosis.causes.scan import Scanned
+from trueaxis.diagnosis.causes.search import Found, Ground, Rival
+from trueaxis.diagnosis.causes.signature import Fitted, Readings
+from trueaxis.diagnosis.further_runs.absences import absences
+from trueaxis.diagnosis.further_runs.audit import DETECTION, Audit
+from trueaxis.diagnosis.further_runs.next_runs import Ahead, ahead_of, next_runs, separating_run
+from trueaxis.diagnosis.further_runs.prospect import Prospect
+from trueaxis.diagnosis.judging.gain import Left, fit, predicted
+from trueaxis.diagnosis.judging.instruments import Off
+from trueaxis.diagnosis.judging.judgement import Judged
+from trueaxis.diagnosis.judging.stale import Changes
+from trueaxis.diagnosis.judging.verdict import verdict_of
+from trueaxis.diagnosis.null_model.null import Null
+from trueaxis.diagnosis.null_model.rows import Rows, plane_of
 from trueaxis.diagnosis.result import (
     BoolArray,
     Cause,
@@ -29,12 +35,6 @@ from trueaxis.diagnosis.result import (
     SecondOrder,
     Stage,
 )
-from trueaxis.diagnosis.rows import Rows, plane_of
-from trueaxis.diagnosis.scan import Scanned
-from trueaxis.diagnosis.search import Found, Ground, Rival
-from trueaxis.diagnosis.signature import Fitted, Readings
-from trueaxis.diagnosis.stale import Changes
-from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in

@@ -197,7 +197,7 @@ def faults_of_target(out: Path) -> list[Fault]:
 
 def faults_of_data(data: MeasuredData, folder: Path, before: list[Fault]) -> list[Fault]:
     """Where there is no reading to go by; before: faults so far, with which readings are not looked at closely."""
-    from trueaxis.diagnosis.rows import rows_of  # noqa: PLC0415  as the diagnosis itself
+    from trueaxis.diagnosis.null_model.rows import rows_of  # noqa: PLC0415  as the diagnosis itself
 
     if data.readings.planned.all():
         remedy = "take them, or make some with simulate"

@@ -16,15 +16,15 @@ from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.machine import Array
 from tests.kept import derived
-from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
-from trueaxis.diagnosis.candidates import candidates
-from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.null import null_of
-from trueaxis.diagnosis.projection import Projection, spanned
-from trueaxis.diagnosis.rows import Rows, rows_of
-from trueaxis.diagnosis.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
-from trueaxis.diagnosis.signature import readings_of
-from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.diagnosis.causes.candidates import candidates
+from trueaxis.diagnosis.causes.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
+from trueaxis.diagnosis.causes.signature import readings_of
+from trueaxis.diagnosis.further_runs.audit import CONFOUNDED, DETECTION, ISOLATION
+from trueaxis.diagnosis.null_model.freedom import freedom_of
+from trueaxis.diagnosis.null_model.null import null_of
+from trueaxis.diagnosis.null_model.projection import Projection, spanned
+from trueaxis.diagnosis.null_model.rows import Rows, rows_of
+from trueaxis.diagnosis.null_model.temperature import smoothed
 from trueaxis.measurement.data import read_data
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.model import MachineModel, load_model

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.diagnosis.of_plan import Absence, Limit, NextRun, Placed, Separating, Told
+from trueaxis.diagnosis.further_runs.of_plan import Absence, Limit, NextRun, Placed, Separating, Told
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.result import (
     AmplitudeOf,
     Cause,
@@ -25,7 +26,6 @@ from trueaxis.diagnosis.result import (
     Stale,
     Verdict,
 )
-from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.of_plan import NextRun, Placed, Separating
+from trueaxis.diagnosis.further_runs.of_plan import NextRun, Placed, Separating
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.result import SecondOrder
-from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.reporting.diagnosis.further import Proposal, absences, proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.quantity import ascii_only
 

@@ -13,7 +13,7 @@ from jinja2 import meta
 
 from tests.reporting.diagnosis import builders
 from tests.reporting.diagnosis.page import Element, read
-from trueaxis.diagnosis.of_plan import Absence, Placed
+from trueaxis.diagnosis.further_runs.of_plan import Absence, Placed
 from trueaxis.diagnosis.result import BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis import html as page_of

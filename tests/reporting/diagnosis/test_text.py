@@ -5,9 +5,9 @@ from typing import get_args
 import pytest
 
 from tests.reporting.diagnosis import builders
-from trueaxis.diagnosis.of_plan import NextRun, Placed
+from trueaxis.diagnosis.further_runs.of_plan import NextRun, Placed
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.result import Gain, Stage, Verdict
-from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis.text import summary_text
 

@@ -7,9 +7,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from trueaxis.diagnosis.of_plan import Absence, NextRun, Placed, Separating, Told
+from trueaxis.diagnosis.further_runs.of_plan import Absence, NextRun, Placed, Separating, Told
+from trueaxis.diagnosis.null_model.temperature import UNKNOWN
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
-from trueaxis.diagnosis.temperature import UNKNOWN
 from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnosis.noise import UNKNOWN
-from trueaxis.diagnosis.of_plan import Limit
+from trueaxis.diagnosis.further_runs.of_plan import Limit
+from trueaxis.diagnosis.judging.structure import Check
+from trueaxis.diagnosis.null_model.noise import UNKNOWN
 from trueaxis.diagnosis.result import Cause, Circle, Diagnosis, Estimate, Evidence, GainOfAngles, NoiseOf, Stage, Stale
-from trueaxis.diagnosis.structure import Check
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import absences, proposals, separating_run, warnings

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from trueaxis.diagnosis.structure import Check, StructureClass
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
 
 LINES, CIRCLES, ERRORS = "lines of", "circles of", "readings that show"
 

@@ -4,10 +4,10 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnosis.noise import UNKNOWN
-from trueaxis.diagnosis.of_plan import Placed
+from trueaxis.diagnosis.further_runs.of_plan import Placed
+from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.null_model.noise import UNKNOWN
 from trueaxis.diagnosis.result import Cause, Diagnosis, Estimate, Evidence, Gain, Stale, Verdict
-from trueaxis.diagnosis.structure import Check, StructureClass
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import ErrorName

@@ -1,0 +1,1 @@
+"""What readings would be without any cause: what recalibration could change, set-ups, and noise; see null."""

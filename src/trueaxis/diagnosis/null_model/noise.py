@@ -1,0 +1,144 @@
+"""The noise of the readings: of every run, and what is told of every instrument, or of its devices (`noise_groups`).
+
+By restricted maximum likelihood (REML; Patterson and Thompson, Biometrika 58, 1971) of what the saturated base leaves
+of all runs together: runs of one axis share its curves, which leaves far more room to tell slow noise from the machine
+than the course of a run by itself. What the base gets wrong repeats share: it is told from noise where there are any.
+Noise of an instrument is white (more in some runs than in others) and slow; its runs wander and settle, and the ball of
+each run of a ball bar stands a little elsewhere.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trueaxis.diagnosis.null_model.base import Base
+from trueaxis.diagnosis.null_model.freedom import freedom_of_runs
+from trueaxis.diagnosis.null_model.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
+from trueaxis.diagnosis.null_model.noise_fit import Found, Guess, Law, restricted
+from trueaxis.diagnosis.null_model.rows import Rows
+from trueaxis.diagnosis.null_model.whiten import RunNoise
+from trueaxis.diagnosis.result import FloatArray, NoiseOf
+from trueaxis.estimation.noise import Noise
+from trueaxis.estimation.noise_of_residuals import SMALLEST
+from trueaxis.estimation.state import DISPLAY
+
+FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
+GIVEN = 1e6  # degrees of freedom of a noise that is given
+REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
+STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
+
+
+def noise_of_runs(
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...], Found | None]:
+    """Of every run of the base, in its order, and of every group of runs. values: (n,) mm, readings less what is
+    expected.
+
+    noise_um: of every reading, where it is known: white noise, and nothing is estimated; before: what was found of
+    nearly the same readings, from where a further estimate is near.
+    """
+    groups = [one.noise_group for one in base.runs]
+    names = list(dict.fromkeys(groups))
+    if noise_um is not None:
+        laws, fit = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None
+    else:
+        blocks = list(blocks_of(rows, base, values))
+        guesses = {name: _guess(blocks, groups, name) for name in names}
+        laws, fit = restricted(blocks, groups, guesses, before)
+    scales = np.ones(len(groups)) if fit is None else fit.scales
+    certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
+    found, told = dict[int, RunNoise](), list[NoiseOf]()
+    drifts, balls = base.drifts, base.balls
+    for name in names:
+        members = [place for place, one in enumerate(groups) if one == name]
+        at = np.concatenate([base.runs[place].rows.at for place in members])
+        origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
+        law = laws[name]
+        if law.freedom < 1.0:
+            law, origin = Law(white=max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
+        step = 0.0 if fit is None else _step(rows, base, members)
+        times = _readings_of_a_target(rows, base, members)
+        typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
+        lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
+        told.append(
+            NoiseOf(
+                instrument=base.runs[members[0]].instrument,
+                group=name,
+                white=typical.white,
+                correlated=typical.slow,
+                correlation=lasting,
+                settles=law.settles,
+                freedom=law.freedom,
+                origin=origin,
+                wanders=law.wanders,
+                places=law.places if any(balls[place].size for place in members) else 0.0,
+            )
+        )
+        for place in members:
+            run, white = base.runs[place].rows, float(scales[place]) * law.white
+            found[place] = RunNoise(
+                noise=_shown(Noise(white, law.slow, law.lasts), step, times),
+                steps=run.steps,
+                passed=run.passed,
+                wanders=law.wanders,
+                settles=law.settles,
+                drifts=drifts[place],
+                ball=balls[place],
+                places=law.places,
+                freedom=float(certain[place]),
+            )
+    return tuple(found[place] for place in range(len(groups))), tuple(told), fit
+
+
+def _guess(blocks: Sequence[Block], groups: Sequence[str], name: str) -> Guess:
+    """Of the noise of a group of runs, by its repeats, and of the misfit of the base; else by what the base leaves."""
+    of_base, of_target = [np.zeros(0)], [np.zeros(0)]
+    for block in blocks:
+        left, share = left_of(block)
+        for one in block.parts:
+            if groups[one.place[0]] == name:
+                of_base.append(np.abs(left[one.rows][share[one.rows] > HELD]))
+                of_target.append(np.abs(of_repeats(one, block.values[one.rows])))
+    typical = [
+        max(float(np.median(one)) / NORMAL_MEDIAN, SMALLEST) if one.size else SMALLEST
+        for one in (np.concatenate(of_target), np.concatenate(of_base))
+    ]
+    repeated = sum(map(len, of_target)) > 0
+    return Guess(typical[0], typical[1] / typical[0]) if repeated else Guess(typical[1], 0.0)
+
+
+def _step(rows: Rows, base: Base, members: Sequence[int]) -> float:
+    """mm, of the display."""
+    step = display_step(rows.reading[np.concatenate([base.runs[place].rows.at for place in members])])
+    resolved = [base.runs[place].rows.run.device for place in members]
+    return max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
+
+
+def _readings_of_a_target(rows: Rows, base: Base, members: Sequence[int]) -> float:
+    """How often a run reads the same target, on average."""
+    readings = sum(base.runs[place].rows.at.size for place in members)
+    targets = sum(np.unique(rows.target[base.runs[place].rows.at]).size for place in members)
+    return readings / max(targets, 1)
+
+
+def _shown(noise: Noise, step: float, times: float) -> Noise:
+    """With the rounding of the display. times: readings of a target in a run.
+
+    Where the noise is finer than the step, repeats are rounded alike, and no number of them tells more than one: each
+    then has the rounding of all in its variance. Of two readings of normal noise the correlation of the rounding
+    is exp(-(2 pi noise/step)^2) (first term of the series of Widrow and Kollar, Quantization Noise, 2008).
+    """
+    if step == 0.0:
+        return noise
+    alike = float(np.exp(-((2.0 * np.pi * noise.sigma / step) ** 2)))
+    least = step * DISPLAY * float(np.sqrt(1.0 + (times - 1.0) * alike))
+    return Noise(max(noise.white, least), noise.slow, noise.lasts)
+
+
+def display_step(readings: FloatArray) -> float:
+    """mm: the step of which all readings are multiples, 0 if they have none of those that displays have."""
+    for step in STEPS:
+        share = readings / step
+        if np.abs(share - np.round(share)).max(initial=0.0) < 1e-6 and np.unique(readings).size > 1:
+            return step
+    return 0.0

@@ -1,0 +1,299 @@
+"""The noise of all instruments at once, by restricted maximum likelihood, and the scale of each run.
+
+The likelihood and its slopes in closed form (Harville, J. Am. Stat. Assoc. 72, 1977): with P the inverse of the
+covariance V less what the free columns take, -2 log L = log|V| + log|X' V^-1 X| + y' P y, and its slope by a parameter
+of V is tr(P dV) - y' P dV P y. What the base gets wrong is a part of V: a value for each target, which repeats share.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import block_diag
+from scipy.optimize import minimize
+
+from trueaxis.diagnosis.null_model.base import ANYWHERE
+from trueaxis.diagnosis.null_model.noise_blocks import Block, Part, Shapes
+from trueaxis.diagnosis.null_model.noise_precision import Precision, factor_less_misfit, precision_of, solved
+from trueaxis.diagnosis.result import FloatArray
+from trueaxis.estimation.factors import few_of
+
+# of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
+# the base, places of its balls; all but the time constant, in typical steps, as shares of a first guess
+START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3, 1.0)
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6), (0.0, 1e6))
+PER, AGE, MISFIT, BALLS = len(START), 2, 5, 6
+# before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
+# units of the first guess; places of balls in mm, as far as their class may be wrong
+USUAL = np.log(8.0)
+SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4, BALLS)
+UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
+FARTHEST = 2.0  # of this logarithm
+NOISIEST = 3.0 * UNEVEN  # of this logarithm: what is left beyond is no noise
+STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
+LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
+STEPS = 200  # of a standard deviation that is averaged
+FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
+
+    noise: float
+    misfit: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Law:
+    """Of an instrument: standard deviations, mm, of white and slow noise, wandering, settling and the places of the
+    balls of its runs; lasts: typical steps; freedom: degrees of freedom that tell it.
+    """
+
+    white: float
+    slow: float = 0.0
+    lasts: float = 1.0
+    wanders: float = 0.0
+    settles: float = 0.0
+    places: float = ANYWHERE
+    freedom: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each;
+    told: (n_runs,), information of the readings on the logarithm of each.
+    """
+
+    sizes: FloatArray
+    scales: FloatArray
+    told: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class _Told:
+    """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,),
+    variance of each reading; slow: of unit size, noise: mm^2, of the readings of each run; precision: of all, what is
+    free taken away; weighed: (n,), precision of all readings times their values.
+    """
+
+    part: Part
+    shapes: Sequence[Shapes]
+    number: int
+    white: FloatArray
+    slow: list[FloatArray]
+    noise: list[FloatArray]
+    precision: Precision
+    weighed: FloatArray
+
+    def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
+        """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow
+        noise, wandering, settling, misfit and places of balls, mm^2, and by the logarithm of the age, of slow noise of
+        unit size.
+        """
+        found = np.zeros(PER)
+        found[0] = of_scale.sum()
+        for here, block, slow, shape in zip(
+            self.part.runs, self.precision.blocks(), self.slow, self.shapes, strict=True
+        ):
+            half = 0.5 * (block - np.outer(self.weighed[here], self.weighed[here]))
+            found[1] += np.vdot(half, slow)
+            found[3] += np.vdot(half, shape.wander)
+            found[4] += np.vdot(half, shape.settle)
+            found[BALLS] += np.vdot(half, shape.ball)
+            found[AGE] += np.vdot(half * slow, shape.gaps) / age
+        shared = self.weighed @ self.part.repeated
+        of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
+        found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))
+        return found
+
+    def of_scale(self) -> FloatArray:
+        """(n,): of the same by the logarithm of the white noise of each reading."""
+        return np.asarray(self.white * (self.precision.diagonal() - self.weighed**2))
+
+
+class Likelihood:
+    """Of a block, minus its logarithm; instruments: of every run; first: a guess of each instrument.
+
+    Parameters: START of each instrument, then the logarithm of the scale of each run.
+    """
+
+    def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
+        self.block = block
+        self.known = [(one.shapes(), *few_of(block.free[one.rows])) for one in block.parts]
+        self.units = np.array([one.noise for one in first.values()])
+        self.of_run = np.array([list(first).index(name) for name in instruments])
+        self.count = PER * self.units.size
+        self.spread = np.tile(SPREAD, (self.units.size, 1))
+        self.spread[:, BALLS] = ANYWHERE / self.units
+
+    def __call__(self, x: FloatArray) -> tuple[float, FloatArray]:
+        """With the prior of time constants and scales, and the slopes."""
+        usual, spread = np.zeros(x.size), np.full(x.size, UNEVEN)
+        usual[AGE : self.count : PER] = USUAL
+        spread[: self.count] = self.spread.ravel()
+        apart = (x - usual) / spread
+        slope = apart / spread
+        value, told = self.told(x)
+        sizes = self.sizes(x)
+        for one in told:
+            unit = 2.0 * self.units[one.number]
+            _, slow, age, *others = sizes[one.number]
+            by_size = [1.0, unit * slow, slow**2, *(unit * other for other in others)]
+            of_scale = one.of_scale()
+            slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
+            slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
+        return value + 0.5 * float(apart @ apart), slope
+
+    def sizes(self, x: FloatArray) -> FloatArray:
+        """(instruments, PER): standard deviations, mm, and the time constant."""
+        found = x[: self.count].reshape(-1, PER) * self.units[:, np.newaxis]
+        found[:, 0] = self.units * np.exp(x[: self.count : PER])
+        found[:, AGE] = np.exp(x[AGE : self.count : PER])
+        return np.asarray(found)
+
+    def parameters(self, found: Found) -> FloatArray:
+        """Where sizes and scales are as found; no size is zero, where the slope tells nothing."""
+        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST)
+        relative[:, 0], relative[:, AGE] = np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
+        within = np.clip(relative, *np.transpose(BOUNDS))
+        return np.concatenate([within.ravel(), np.clip(np.log(found.scales), -FARTHEST, FARTHEST)])
+
+    def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
+        """Minus the logarithm, and what each part tells."""
+        found, held, root = [], [], 0.0
+        sizes, values = self.sizes(x), self.block.values
+        count = self.block.free.shape[1]
+        squares, whole, of_values = np.zeros((count, count)), np.zeros(count), np.zeros(count)
+        for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
+            number = int(self.of_run[part.place[0]])
+            level, slow, age, wanders, settles, misfit, places = sizes[number]
+            white = (level * np.exp(x[self.count + part.place])) ** 2
+            slowly = [np.exp(one.gaps / -age) for one in shapes]
+            alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
+            noise = []
+            for of_slow, shape, here in zip(slowly, shapes, part.runs, strict=True):
+                of_run = slow**2 * of_slow + wanders**2 * shape.wander + settles**2 * shape.settle
+                of_run += places**2 * shape.ball
+                of_run.ravel()[:: len(of_run) + 1] += alone[here]
+                noise.append(of_run)
+            precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
+            root += of_part
+            through = precision @ np.column_stack([few, values[part.rows]])
+            inside = few.T @ through
+            squares += weights.T @ inside[:, :-1] @ weights
+            whole += np.sum(weights**2, axis=0) / alone.min()  # few are orthonormal
+            of_values += weights.T @ inside[:, -1]
+            held.append(through)
+            found.append(
+                _Told(
+                    part=part,
+                    shapes=shapes,
+                    number=number,
+                    white=white,
+                    slow=slowly,
+                    noise=noise,
+                    precision=precision,
+                    weighed=through[:, -1],
+                )
+            )
+        factor = factor_less_misfit(squares, whole)
+        root += float(np.log(np.diag(factor)).sum())
+        told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
+        for one, through, (_, _, weights) in zip(found, held, self.known, strict=True):
+            of_free = solved(factor, weights.T)
+            weighed = one.weighed - through[:, :-1] @ (of_free.T @ taken)
+            rows = np.linalg.qr(of_free, mode="r") @ through[:, :-1].T
+            told.append(replace(one, precision=one.precision.less(rows), weighed=weighed))
+            root += 0.5 * float(values[one.part.rows] @ weighed)
+        return root, told
+
+
+def restricted(
+    blocks: Sequence[Block], instruments: Sequence[str], first: Mapping[str, Guess], before: Found | None
+) -> tuple[dict[str, Law], Found]:
+    """The likeliest noise of every instrument by the first block, and with the scale of every run.
+
+    instruments: of every run; first: a guess of each; before: what was found of nearly the same readings.
+    """
+    of = Likelihood(blocks[0], instruments, first)
+    start = np.concatenate([np.tile(START, len(first)), np.zeros(len(instruments))])
+    bounds = [*BOUNDS * len(first), *[(-FARTHEST, FARTHEST)] * len(instruments)]
+    start[MISFIT : of.count : PER] = [one.misfit for one in first.values()]
+    if before is not None and before.scales.size == len(instruments):
+        start = of.parameters(before)
+    for number, one in enumerate(first.values()):
+        if one.misfit == 0.0:  # nothing tells it from noise
+            start[PER * number + MISFIT] = 0.0
+            bounds[PER * number + MISFIT] = (0.0, 0.0)
+    x = minimize(
+        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
+    ).x
+    laws, information = _averaged(of, list(first), x)
+    for block in blocks[1:]:
+        information += _scaled(Likelihood(block, instruments, first), x)
+    return laws, Found(of.sizes(x), np.exp(x[of.count :]), information)
+
+
+def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:
+    """Set the scales of the runs of a block: one step from 1, exact where noise is white. What the readings tell of
+    their logarithms, (n_runs,).
+    """
+    slope, information = np.zeros((2, of.of_run.size))
+    for one in of.told(x)[1]:
+        slope -= np.bincount(one.part.place, one.of_scale(), of.of_run.size)
+        information += _of_scales(one, one.precision.dense(), of.of_run.size)
+    step = np.maximum(1.0 + 2.0 * slope / (information + UNEVEN**-2), np.exp(-2.0 * FARTHEST))
+    x[of.count :] += np.where(information > 0.0, 0.5 * np.log(step), 0.0)
+    return information
+
+
+def _of_scales(one: _Told, precision: FloatArray, runs: int) -> FloatArray:
+    """(runs,): expected information of a part on the logarithms of their scales."""
+    both = (one.white * (one.white[:, np.newaxis] * precision**2)).sum(axis=0)
+    return np.asarray(2.0 * np.bincount(one.part.place, both, runs), dtype=np.float64)
+
+
+def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> tuple[dict[str, Law], FloatArray]:
+    """The noise of the instruments, and what readings tell of the logarithms of the scales, (n_runs,).
+
+    Slow parts are averaged over what the readings leave possible: of a variance of which little is known the likelihood
+    is normal about its best value, and the standard deviation anything from 0 on.
+    """
+    slopes, information = np.zeros((2, len(names), len(SLOW)))
+    freedom, sizes = np.zeros(len(names)), of.sizes(x)
+    of_scales = np.zeros(of.of_run.size)
+    for one in of.told(x)[1]:
+        misfit = sizes[one.number, MISFIT]  # what it may be of readings that are alone is no noise that is known
+        of_base = misfit**2 * float(one.precision.diagonal()[one.part.alone].sum())
+        freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise)) - of_base
+        slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
+        whole = one.precision.dense()
+        of_scales += _of_scales(one, whole, of.of_run.size)
+        parts = zip(*[(each.wander, each.settle, each.ball) for each in one.shapes], strict=True)
+        for k, shapes in enumerate((one.slow, *parts)):
+            both = whole @ block_diag(*shapes)
+            information[one.number, k] += 0.5 * float(np.sum(both * both.T))
+    best = sizes[:, list(SLOW)] ** 2
+    usual = (of.spread[:, list(SLOW)] * of.units[:, np.newaxis]) ** 2
+    most = np.maximum(FAR_ABOVE**2 * usual, 4.0 * best)
+    spread = np.minimum(1.0 / np.sqrt(np.maximum(information, 1e-300)), most)
+    middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
+    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, most)
+    possible = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis] ** 2 * farthest
+    unlikely = 0.5 * (((possible - middle) / spread) ** 2 + possible / usual)
+    weight = np.exp(unlikely.min(axis=0) - unlikely)
+    slow, wanders, settles, places = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
+    laws = {
+        name: Law(
+            white=float(sizes[k, 0]),
+            slow=float(slow[k]),
+            lasts=float(sizes[k, AGE]),
+            wanders=float(wanders[k]),
+            settles=float(settles[k]),
+            places=float(places[k]),
+            freedom=float(freedom[k]),
+        )
+        for k, name in enumerate(names)
+    }
+    return laws, of_scales
