@@ -9,7 +9,9 @@ import pytest
 from scipy.stats import kstest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
+from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.judging.checks import LOOKS, run_checks, structures
+from trueaxis.diagnosis.judging.checks_of_runs import humming_run
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.estimation.noise import Noise
@@ -165,3 +167,13 @@ def test_what_the_base_can_take_up_fires_nothing() -> None:
     where = field(SMALL, WHITE)
     smooth = where.columns @ (1e-3 * np.random.default_rng(2).standard_normal(where.columns.shape[1]))
     assert not fired_in(where, noise(where, 6) + smooth)
+
+
+def test_short_runs_hum_by_chance_as_often_as_is_said() -> None:
+    """Of fifteen targets the base leaves little that is white: one data set in eight was below 5 %."""
+    where = field(Design(lines=1, repeats=1, targets=15, samples=36))
+    p_values = []
+    for seed in range(200):
+        residual = where.base.rest(where.whitening(noise(where, seed)))
+        p_values.append(humming_run(where.readings.rows, where.whitening, where.base, residual).p_value)
+    assert 0.02 < np.mean(np.array(p_values) < 0.05) < 0.085

@@ -73,7 +73,8 @@ def run_checks(
                 excess=excess,
             )
         )
-    found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
+    found.append(humming_run(rows, whitening, projection, residual))
+    found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
     return tuple(found)
 
 

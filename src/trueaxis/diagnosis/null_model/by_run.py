@@ -99,6 +99,11 @@ class ByRun:
         """Of the first runs."""
         return ByRun(self.starts[: count + 1], self.few[:count], self.weights[: self.ends[count]])
 
+    def of_run(self, place: int) -> FloatArray:
+        """(r, p): the weights of a run."""
+        ends = self.ends
+        return self.weights[ends[place] : ends[place + 1]]
+
     def parts(self) -> Iterator[tuple[FloatArray, FloatArray]]:
         """Few (m, r) and weights (r, p) of each run."""
         return zip(self.few, (self.weights[first:last] for first, last in pairwise(self.ends)), strict=True)
