@@ -304,3 +304,11 @@ def test_an_arc_stays_one_while_z_was_never_commanded(bench: Bench) -> None:
                 worst = max(worst, abs(float(np.linalg.norm(tool[:2] - [260.0, 200.0])) - 10.0))
         at = end
     assert 0.0 < worst <= 0.0015
+
+
+@pytest.mark.parametrize("block", ["M29 S500", "G84 X10. Y20. Z-3. R2. F100", "G76 X10. Y20. Z-3. R2. Q1. F100"])
+def test_without_a_dialect_the_control_that_has_it_is_named(bench: Bench, block: str) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run(f"{HEAD}{block}\n", offsets=G54)
+    assert error.value.faults[0].place == "line 3"
+    assert error.value.faults[0].remedy.startswith("say --dialect fanuc if it is one; else ")

@@ -157,9 +157,12 @@ def test_what_is_not_followed_is_named_with_its_line(tmp_path: Path, line: str, 
         ("GOTOF END_LABEL", "GOTOF is a jump"),
         ("IF (R1 > 5) AND R2 GOTOB A", "IF is a branch"),
         ("WHILE R1<=3", "WHILE is a loop"),
+        ("DEF INT I", "DEF declares a variable"),
+        ("PROC PART(REAL X, INT N)", "PROC begins a subprogram"),
+        ("EXTERN PART(REAL)", "EXTERN declares a subprogram"),
     ],
 )
-def test_a_call_or_a_jump_is_one_fault(tmp_path: Path, line: str, words: str) -> None:
+def test_a_call_a_jump_or_a_declaration_is_one_fault(tmp_path: Path, line: str, words: str) -> None:
     with pytest.raises(InputError) as caught:
         compensated(tmp_path, f"{HEAD}{line}\nM30\n")
     (fault,) = caught.value.faults

@@ -150,8 +150,8 @@ class _Parser(argparse.ArgumentParser):
         return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong and how the command is used; ends with exit code 2."""
-        super().error(shown(message))
+        """Say what is wrong, and where the options are listed: they would push it off the screen; exit code 2."""
+        self.exit(2, f"{self.prog}: {shown(message)}\n{self.prog} --help lists what can be given\n")
 
 
 def _nearest(word: str, known: Sequence[str]) -> str:

@@ -145,15 +145,14 @@ def _cancels(meaning: Meaning) -> None:
 
 
 def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
-    code = round(value * 10)
-    name = f"G{value:g}"
-    dialect = settings.dialect or ""
+    code, name, dialect = round(value * 10), f"G{value:g}", settings.dialect or ""
     if abs(value * 10 - code) > 1e-6 or code < 0:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     elif _only_on(dialect, code, name, meaning):
         pass
     elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(dialect, ()):
-        meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
+        why, remedy = codes.refused(code, dialect)
+        meaning.complain(f"{name} {why}", remedy)
     elif code in _SETTING:
         what, setting = _SETTING[code]
         if what == "length_code" and dialect in codes.POINT_CONTROL_ON:

@@ -170,5 +170,20 @@ FAULTY: dict[int, Refused] = {
     2540: Refused("turns positions with the rotary axes (Haas)", WITHOUT_IT),
 }  # fmt: skip
 
+# codes that are faults on most controls and followed on one
+_FOLLOWED_ON = {
+    on: KEPT_CYCLES_ON.get(on, frozenset()) | POINT_CONTROL_ON.get(on, frozenset()) | LOOK_AHEAD_ON.get(on, {}).keys()
+    for on in KEPT_CYCLES_ON.keys() | POINT_CONTROL_ON.keys() | LOOK_AHEAD_ON.keys()
+}
+
 NOT_KNOWN = "only codes whose effect on positions is known are accepted"
 PASS_G = "say --pass-g {} if it moves no axis and changes no mode on this control"
+
+
+def refused(code: int, dialect: str | None) -> Refused:
+    """Of a code of `FAULTY`. Where a control is known on which it is followed, and none is stated, it is named."""
+    found = FAULTY[code]
+    followed = [on for on, kept in _FOLLOWED_ON.items() if code in kept and not dialect]
+    return (
+        found._replace(remedy=f"say --dialect {followed[0]} if it is one; else {found.remedy}") if followed else found
+    )

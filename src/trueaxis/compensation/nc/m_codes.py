@@ -131,10 +131,14 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
         return f"M{code} {harm}", _remedy(harm, dialect)
     if code in passed:
         return None
-    known = "; ".join(f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful)
+    known = [f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful]
+    harmless = {control: codes[code].meaning for control, codes in KNOWN_ON.items() if code in codes and not dialect}
+    known += [f"{control}: {meaning}" for control, meaning in harmless.items()]
+    said = f" ({'; '.join(known)})" if known else ""
+    named = "".join(f"--dialect {control} if it is one; else " for control in harmless)
     return (
-        f"M{code} does not mean the same on every control{f' ({known})' if known else ''}",
-        f"say --pass-m {code} if it moves no axis and changes no mode on this one",
+        f"M{code} does not mean the same on every control{said}",
+        f"say {named}--pass-m {code} if it moves no axis and changes no mode on this one",
     )
 
 

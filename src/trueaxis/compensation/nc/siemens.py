@@ -166,6 +166,7 @@ _ASSIGNED_WORDS = {
     **dict.fromkeys(("I1", "J1", "K1"), "gives an arc by a middle point, which is not followed"),
 }  # fmt: skip
 END_OF_TILT = "CYCLE800() ends a tilted plane, of which there is none here: it is taken to move no axis"
+_DECLARES = frozenset({"DEF", "PROC", "EXTERN"})
 _BRANCHES = frozenset("IF ELSE ENDIF FOR WHILE LOOP REPEAT GOTO GOTOF GOTOB GOTOC GOTOS".split())
 _RUN = "write the blocks that are run, in their order"
 _WRITTEN_OUT = "have its motions written out as G0, G1, G2 and G3"
@@ -175,6 +176,8 @@ def take_functions(found: SiemensBlock, meaning: Meaning) -> None:
     """Take in the keywords of a block before its words; complaints go into its meaning."""
     for function in found.functions:
         _take(function, meaning)
+        if function[0] in _DECLARES:
+            break  # what follows are names
     for letter, way in found.ways.items():
         meaning.ways[letter] = way == ABSOLUTE_WAY
 
