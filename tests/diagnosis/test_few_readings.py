@@ -10,7 +10,7 @@ from tests.diagnosis.prepared import SIGMA, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.null_model.null import null_of
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.measurement.data import MeasuredData

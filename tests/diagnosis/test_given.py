@@ -12,7 +12,8 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.judging.stale import Changes, stale_values
 from trueaxis.diagnosis.null_model.base import given_by_chance
 from trueaxis.diagnosis.null_model.freedom import freedom_of
-from trueaxis.diagnosis.null_model.null import Null, null_of
+from trueaxis.diagnosis.null_model.null import Null
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.curves import PolynomialCurve

@@ -14,7 +14,7 @@ from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_
 from trueaxis.diagnosis.extend import named_effects, start_values
 from trueaxis.diagnosis.judging.instruments import Off, _chance, _Unknown, instruments_off
 from trueaxis.diagnosis.null_model.base import WIDE, base_of
-from trueaxis.diagnosis.null_model.null import null_of
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR

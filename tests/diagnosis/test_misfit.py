@@ -12,7 +12,8 @@ from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis import procedure
 from trueaxis.diagnosis.extend import Anew, Extend
 from trueaxis.diagnosis.judging.misfit import Known, misfits
-from trueaxis.diagnosis.null_model.null import Null, null_of
+from trueaxis.diagnosis.null_model.null import Null
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.null_model.rows import rows_of
 from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis

@@ -9,9 +9,12 @@ import pytest
 from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, dense_covariance, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.null_model.null import Null, expected_root, explained, fitted, less_own, null_of, undecided
+from tests.hidden_effects.hidden import Hidden
+from trueaxis.diagnosis.null_model.null import Null, expected_root, fitted, less_own
+from trueaxis.diagnosis.null_model.outliers import explained, null_of, undecided
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import SETTLED
+from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import IntArray
 
 
@@ -201,3 +204,17 @@ def test_the_base_is_fitted_by_generalised_least_squares() -> None:
     assert np.abs(white.T @ left)[size > 0.0] / size[size > 0.0] == pytest.approx(
         0.0, abs=1e-6 * float(np.linalg.norm(left))
     )
+
+
+@pytest.mark.parametrize("size", [3e-5, 1e-4])
+def test_an_outlier_that_a_cause_hides_is_found_beside_it(size: float) -> None:
+    """One of two readings of a target, 12 standard deviations off, where play in yaw shifts all by many more."""
+    design = Design(lines=2, repeats=2, targets=15, samples=48)
+    hidden = Hidden("backlash", "ECX", size=size)
+    case = prepared(Case(2, design=design, effects=(hidden,), given="exact", noise="white", sigma_um=1e3 * SIGMA))
+    readings = case.data.readings
+    mine = (readings.run == readings.run_ids.index("X1-1")) & (readings.seq == 6)
+    spoilt = replace(readings, reading=readings.reading + np.where(mine, 12.0 * SIGMA, 0.0))
+    found = diagnose(case.model, replace(case.data, readings=spoilt))
+    assert [cause.effect.component for cause in found.causes] == ["ECX"]
+    assert [(one.run, one.seq) for one in found.outliers] == [("X1-1", 6)]

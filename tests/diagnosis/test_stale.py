@@ -10,7 +10,7 @@ from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import parameter_signature
 from trueaxis.diagnosis.judging.stale import _Asked, clearest, stale_values
 from trueaxis.diagnosis.null_model.freedom import freedom_of
-from trueaxis.diagnosis.null_model.null import null_of
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.result import Stale
 from trueaxis.effects.kind import Effect
 

@@ -21,7 +21,8 @@ from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_
 from trueaxis.diagnosis.judging.stale import Changes
 from trueaxis.diagnosis.null_model.base import given_by_chance
 from trueaxis.diagnosis.null_model.freedom import freedom_of
-from trueaxis.diagnosis.null_model.null import Null, again, balls_anywhere, left_out, null_of, rougher, what_is_free
+from trueaxis.diagnosis.null_model.null import Null, again, balls_anywhere, rougher, what_is_free
+from trueaxis.diagnosis.null_model.outliers import left_out, null_of, spoilt_beside
 from trueaxis.diagnosis.null_model.roughness import roughness_of
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.null_model.temperature import smoothed
@@ -147,7 +148,11 @@ def _undisturbed(
         beside, ground, found, causes = _beside_causes(readings, free, null, options, standing)
         pairs = disturbed(ground, found, real)
         if not pairs:
-            return beside, ground, found, causes, standing
+            spoilt = spoilt_beside(beside, [one.signal for one in causes])
+            if not spoilt.any():
+                return beside, ground, found, causes, standing
+            null = _given(left_out(null, spoilt, options.noise_um), model, options)
+            continue
         lasting = next(
             (one for one, pair in pairs.items() if one in doubted and of_one_run(pair, doubted[one][1])), None
         )

@@ -21,7 +21,7 @@ from trueaxis.diagnosis.causes.search import MOST_CAUSES, Ground, scan_all, whit
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.further_runs.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnosis.null_model.freedom import freedom_of
-from trueaxis.diagnosis.null_model.null import null_of
+from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.null_model.projection import Projection, spanned
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.null_model.temperature import smoothed
