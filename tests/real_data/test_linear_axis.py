@@ -37,7 +37,6 @@ OF_DIRECTION = {
     StructureClass.LINE_DIRECTION,
     StructureClass.LINE_RIPPLE,
     StructureClass.LINE_LOCAL,
-    StructureClass.ONE_PERIOD,  # cycles of the run are a period of it
     StructureClass.LACK_OF_FIT,
 }
 

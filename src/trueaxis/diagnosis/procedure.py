@@ -125,11 +125,24 @@ def _judged(
         ground, found, causes = with_best_periods(ground, found, causes, standing)
         options.progress("checks")
         judged = judged_causes(ground, null, found, causes, standing)
+        if not judged.stand and (named := _without_spoilt(model, null, causes, options)):
+            return named
         options.progress("values given")
         judged, changes, taken = judged_values(ground, null, judged, standing)
         if not taken.any():
             return null, ground, judged, changes, standing
         null = _given(left_out(null, taken, options.noise_um), model, options)
+
+
+def _without_spoilt(
+    model: MachineModel, null: Null, causes: Sequence[Fitted], options: DiagnoseOptions
+) -> tuple[Null, Ground, Judged, Changes, Sequence[Fitted]] | None:
+    """The same without outliers that causes hide, if it is these that take the names away."""
+    spoilt = spoilt_beside(null, [one.signal for one in causes])
+    if not spoilt.any():
+        return None
+    found = _judged(model, _given(left_out(null, spoilt, options.noise_um), model, options), options)
+    return found if found[2].causes else None
 
 
 def _undisturbed(
@@ -148,11 +161,7 @@ def _undisturbed(
         beside, ground, found, causes = _beside_causes(readings, free, null, options, standing)
         pairs = disturbed(ground, found, real)
         if not pairs:
-            spoilt = spoilt_beside(beside, [one.signal for one in causes])
-            if not spoilt.any():
-                return beside, ground, found, causes, standing
-            null = _given(left_out(null, spoilt, options.noise_um), model, options)
-            continue
+            return beside, ground, found, causes, standing
         lasting = next(
             (one for one, pair in pairs.items() if one in doubted and of_one_run(pair, doubted[one][1])), None
         )

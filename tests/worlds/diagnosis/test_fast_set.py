@@ -33,3 +33,10 @@ def test_a_step_in_a_run_of_few_readings_is_not_taken_apart(tmp_path: Path) -> N
     case = replace(plain, given="zeros", truth=plain.truth.hiding(step))
     said = said_of(tmp_path, write_case(tmp_path, tmp_path / "kernels", bench.design, case)).said
     assert [[(one.kind, one.runs) for one in names] for names in said.sets] == [[("laser_step", ("Z1",))]]
+
+
+@pytest.mark.slow
+def test_a_disturbed_reading_that_play_hides_does_not_keep_it_from_its_name(tmp_path: Path) -> None:
+    """Play in yaw of 25 urad, ten times what tells it; one of two readings of a target is a micrometre or two off."""
+    line = line_of(bench_of(24098), 3, tmp_path)
+    assert ([one["name"] for one in line["hidden"]], line["grade"]) == (["backlash ECX"], "unique")
