@@ -219,4 +219,3 @@ def test_an_outlier_that_a_cause_hides_is_found_beside_it() -> None:
     found = null_of(case.model, rows, values, None)
     assert found.outliers == ()
     assert np.flatnonzero(spoilt_beside(found, [signal])).tolist() == [spoilt]
-    assert not spoilt_beside(found, []).any()

@@ -125,7 +125,7 @@ def _judged(
         ground, found, causes = with_best_periods(ground, found, causes, standing)
         options.progress("checks")
         judged = judged_causes(ground, null, found, causes, standing)
-        if not judged.stand and (named := _without_spoilt(model, null, causes, options)):
+        if causes and not judged.stand and (named := _without_spoilt(model, null, causes, options)):
             return named
         options.progress("values given")
         judged, changes, taken = judged_values(ground, null, judged, standing)

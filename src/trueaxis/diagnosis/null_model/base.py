@@ -39,9 +39,8 @@ PLACES = 201  # over the travel, at which a curve is looked at
 # mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
 # digit of positions; it would be free to be anything, and take up noise
 UNFELT = 1e-8
-ANYWHERE = (
-    CLASSES[BALL_OF_RUN].size * CLASSES[BALL_OF_RUN].factor
-)  # mm: by which balls stand elsewhere, if more is open
+# mm: by which the ball of a set-up, or of a run whose noise nothing tells, may stand elsewhere
+ANYWHERE = CLASSES[BALL_OF_RUN].size * CLASSES[BALL_OF_RUN].factor
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -78,7 +78,7 @@ def spoilt_beside(null: Null, signals: Sequence[FloatArray]) -> BoolArray:
     form of the cause may be what is wrong. signals: (n,) mm, what each cause does to the readings.
     """
     once = np.bincount(null.rows.target)[null.rows.target] == 1
-    return _spoilt(null, left_by_base(null, null.values - np.sum(signals, axis=0)), once | (not signals))
+    return _spoilt(null, left_by_base(null, null.values - np.sum(signals, axis=0)), once)
 
 
 def undecided(rows: Rows, good: BoolArray) -> BoolArray:
