@@ -30,7 +30,7 @@ MOST = 0.1  # of a run, or two readings of a short one: where more are off, the 
 ELSEWISE, HARDLY = 0.05, 1.0
 WINDOW = 128  # readings that are judged together, at the cost of their cube: two outliers raise their noise by little
 ROUNDING = 1e-9  # of its weight, below which nothing is left of a reading
-QUIET = 3.0  # standard deviations: a window of a long run that has no reading beyond them has no outlier
+QUIET = 3.0  # standard deviations: what is left of a window of a long run, no reading of which is beyond, has no outlier
 # share that noise has of the variance of a deletion residual, at least: where it is less, what the others let expect is
 # less certain than a reading, and rests on how smooth curves are; such a residual counts as if it were as certain. On
 # world 9 of tests/worlds two good readings at the end of a line were taken for outliers without it
@@ -123,9 +123,10 @@ def _windows(one: Judged) -> Iterator[slice]:
 
 
 def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tuple[int, float, float, float]]:
-    """The readings of a window, the farthest first, as many as may be outliers and one more: its place; the square of
-    its distance from what those after it let expect, in variances of that by the noise of the run; the sum of the same
-    of those after it, and its degrees of freedom. apart: (m,), which may be outliers.
+    """The readings of a window, the farthest first, as many as may be outliers and one more, of a long run until none
+    is far: its place; the square of its distance from what those after it let expect, in variances of that by the noise
+    of the run; the sum of the same of those after it, and its degrees of freedom, zeros where the noise is known.
+    apart: (m,), which may be outliers.
     """
     covariance = covariance_of(one.noise, one.steps[here], one.chance[here])
     good, left = one.good[here].copy(), one.left[here]
@@ -137,6 +138,8 @@ def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tupl
     precision -= one.taken[here] @ one.taken[here].T
 
     def left_by(further: FloatArray) -> tuple[float, float]:
+        if np.isinf(one.told):
+            return 0.0, 0.0  # the noise of the run is known, whatever they are
         kept = good & apart  # what repeats share is no noise
         squares, free = (weighed[kept] ** 2 / alone[kept]).sum(), (np.diag(precision)[kept] / alone[kept]).sum()
         return float(squares + further.sum()), max(float(free), 0.0) + further.size
@@ -144,16 +147,17 @@ def _farthest_first(one: Judged, here: slice, apart: BoolArray) -> Iterator[tupl
     order = np.argsort(-before, kind="stable")
     for number, k in enumerate(order.tolist(), 1):
         yield int(out[k]), float(before[k]), *left_by(before[order[number:]])
+    least = QUIET**2 if one.left.size > WINDOW else 0.0  # a few outliers make a short run as noisy as they are far
     for _ in range(int(_most(good.size)) + 1 - out.size):
         free = np.diag(precision)
         told = good & apart & (free > ROUNDING * alone)
         squares = np.where(told, weighed**2 / np.maximum(free, HELD * alone), 0.0)
         place = int(np.argmax(squares))
-        if squares[place] == 0.0:
+        if squares[place] <= least:
             return
         column = precision[:, place] / precision[place, place]
-        weighed = weighed - column * weighed[place]
-        precision = precision - np.outer(column, precision[place])
+        weighed -= column * weighed[place]
+        precision -= np.outer(column, precision[place])
         precision[place], precision[:, place], weighed[place], good[place] = 0.0, 0.0, 0.0, False
         yield place, float(squares[place]), *left_by(before[:0])
 
