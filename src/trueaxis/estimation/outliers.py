@@ -30,7 +30,7 @@ MOST = 0.1  # of a run, or two readings of a short one: where more are off, the 
 ELSEWISE, HARDLY = 0.05, 1.0
 WINDOW = 128  # readings that are judged together, at the cost of their cube: two outliers raise their noise by little
 ROUNDING = 1e-9  # of its weight, below which nothing is left of a reading
-QUIET = 3.0  # standard deviations: what is left of a window of a long run, no reading of which is beyond, has no outlier
+QUIET = 3.0  # standard deviations: a window of a long run, nothing left of which is beyond, has no further outlier
 # share that noise has of the variance of a deletion residual, at least: where it is less, what the others let expect is
 # less certain than a reading, and rests on how smooth curves are; such a residual counts as if it were as certain. On
 # world 9 of tests/worlds two good readings at the end of a line were taken for outliers without it
