@@ -1,4 +1,4 @@
-"""Start the Python that runs this program once more, with an import path on which no data folder lies."""
+"""Processes of the Python that runs this program, on whose import path no data folder lies, and the cores for them."""
 
 import os
 import subprocess
@@ -19,3 +19,8 @@ def own_python(*words: str, **options: Any) -> "subprocess.Popen[bytes]":
     if given := environment.get("PYTHONPATH"):
         environment["PYTHONPATH"] = os.pathsep.join(without_current_folder(given.split(os.pathsep)))
     return subprocess.Popen([sys.executable, "-P", *words], env=environment, **options)
+
+
+def cores() -> int:
+    """Those that this process may use, where the system says so."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -2,11 +2,16 @@
 
 On this computer there is nothing to set up, no port that another computer reaches, nothing printed. A worker is a
 process with one thread, watched by a nanny: who dies or takes more memory than its share is started again.
+
+Dask's own messages reach nobody: what a user must know of lost workers is told by who gave them work.
 """
 
 import asyncio
+import logging
 import os
+import signal
 import socket
+import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -15,9 +20,9 @@ from importlib.util import find_spec
 from typing import Any
 from urllib.parse import urlsplit
 
-from trueaxis.cluster.quiet import quiet
 from trueaxis.import_path import without_current_folder
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.own_python import cores
 
 MOST_WORKERS = 1024  # of one computer
 PACKAGES = ("dask", "distributed")
@@ -41,7 +46,7 @@ _CONFIGURATION = {
     "distributed.scheduler.worker-saturation": 1.0,
     "distributed.scheduler.http.routes": [],
     "distributed.worker.http.routes": [],
-    "distributed.worker.preload": ["trueaxis.cluster.quiet"],
+    "distributed.worker.preload": [__name__],  # for `dask_setup`
     "distributed.worker.memory.target": False,
     "distributed.worker.memory.spill": False,
     "distributed.worker.memory.pause": False,
@@ -51,6 +56,8 @@ SECONDS = 5.0  # for an answer: on a network that works it takes milliseconds
 OPTION = "--scheduler"
 PROTOCOLS = ("tcp", "tls")
 _RIGHT = "an address such as tcp://192.168.0.10:8786, as the scheduler prints it when it starts"
+_LOGGERS = ("distributed", "tornado", "asyncio")
+_SILENT = logging.CRITICAL + 1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,11 +87,6 @@ def client_of(workers: Workers) -> Iterator[Any]:
     else:
         with _embedded_client(workers.count or cores(), workers.memory) as client:
             yield client
-
-
-def cores() -> int:
-    """Those that this process may use, where the system says so."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager
@@ -184,3 +186,33 @@ def _host_and_port(address: str) -> tuple[str, int]:
 
 def _fault(address: str, problem: str, remedy: str = _RIGHT) -> InputError:
     return InputError([Fault(f"{OPTION} {address}", "", problem, remedy)])
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Import Dask and silence its loggers in this process, all below _LOGGERS.
+
+    Where the process had imported it for something else they are as before afterwards; else they stay silent, so that
+    nothing is heard of what Dask clears away at the end of an interrupted process.
+    """
+    foreign = "distributed" in sys.modules and logging.getLogger("distributed").level != _SILENT
+    import distributed  # noqa: F401, PLC0415  it sets its loggers when it is imported
+
+    known = [name for name in logging.root.manager.loggerDict if name.split(".")[0] in _LOGGERS]
+    before = {name: logging.getLogger(name).level for name in {*_LOGGERS, *known}}
+    for name in before:
+        logging.getLogger(name).setLevel(_SILENT)
+    try:
+        yield
+    finally:
+        for name, level in before.items() if foreign else ():
+            logging.getLogger(name).setLevel(level)
+
+
+def dask_setup(_: Any) -> None:
+    """Called by the worker. Standard output and error go nowhere: what a task has to tell is in its result."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):
+        os.dup2(nowhere, stream)
+    os.close(nowhere)

@@ -6,7 +6,6 @@ ends, because the first process has, it ends, too.
 """
 
 import gc
-import os
 import pickle
 import subprocess
 import sys
@@ -14,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
 
-from trueaxis.own_python import own_python
+from trueaxis.own_python import cores, own_python
 
 Result = Callable[[], object]
 
@@ -46,11 +45,6 @@ def beside(module: str) -> Iterator[Callable[..., Result]]:
         if process is not None:
             process.kill()
             process.communicate()
-
-
-def cores() -> int:
-    """Those that this process may use, where the system says so."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _started(module: str) -> "subprocess.Popen[bytes] | None":

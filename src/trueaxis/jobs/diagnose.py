@@ -15,7 +15,7 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.html_table import html_table
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.beside import beside, cores
+from trueaxis.jobs.beside import beside
 from trueaxis.jobs.derive import identification_runs
 from trueaxis.jobs.extending import SECOND, Extending, Given, Start, contents_of, outputs, spec_text
 from trueaxis.jobs.given import files_of, kernels_of, warn_of_misfit, with_errors
@@ -29,6 +29,7 @@ from trueaxis.measurement.active_compensation import active_file
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
+from trueaxis.own_python import cores
 from trueaxis.reporting.reliance import misfit_sentence
 
 if TYPE_CHECKING:
