@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from trueaxis.compensation.tools import Cutter, Tool
-    from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+    from trueaxis.evaluation.positioning_test import PositioningTest
     from trueaxis.identification.fit_quality import NotConvergedError
     from trueaxis.identification.weighting import NoiseModel
     from trueaxis.io.faults import Fault, InputError, RefusedError
@@ -115,7 +115,7 @@ __all__ = [
 ]
 _MODULES = {
     "compensation.tools": ("Cutter", "Tool"),
-    "evaluation.iso230_2.positioning_test": ("PositioningTest",),
+    "evaluation.positioning_test": ("PositioningTest",),
     "identification.fit_quality": ("NotConvergedError",),
     "identification.weighting": ("NoiseModel",),
     "io.faults": ("Fault", "InputError", "RefusedError",),

@@ -12,7 +12,7 @@ from tests.compensation.control import Bench
 from tests.compensation.extended_model import HIGH, LOW, extended
 from tests.compensation.moving_machine import MovingMachine, executed
 from trueaxis.effects.kind import Effect
-from trueaxis.evaluation.iso230_4.circular_test import circularity
+from trueaxis.evaluation.circular_test import circularity
 
 RADIUS, CENTRE = 150.0, (50.0, 20.0)
 SQUARENESS = (5e-5, -3e-5, 4e-5)

@@ -13,7 +13,7 @@ from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis.causes.signature import Readings, readings_of
 from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
-from trueaxis.evaluation.iso230_4.circular_test import circularity
+from trueaxis.evaluation.circular_test import circularity
 
 FloatArray = npt.NDArray[np.float64]
 RADIUS = 150.0

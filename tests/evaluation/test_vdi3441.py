@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from tests.evaluation.iso230_2.builders import made_up
 from tests.evaluation.iso230_2.test_evaluation import ROOT2, worked_by_hand
 from trueaxis import evaluate
-from trueaxis.evaluation.iso230_2.evaluation import evaluate as by_iso230_2
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_test import evaluate as by_iso230_2
 from trueaxis.evaluation.vdi3441 import Vdi3441, figures_of
 from trueaxis.jobs.evaluated import EvaluatedPositioning
 

@@ -27,10 +27,9 @@ from trueaxis.derivation.effect_terms import effect_routine
 from trueaxis.effects.evaluate import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
-from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.table_file import read_runs
-from trueaxis.evaluation.iso230_6.diagonal_test import diagonal_test
-from trueaxis.evaluation.iso230_6.figures import diagonal_figures
+from trueaxis.evaluation.diagonal_test import diagonal_figures, diagonal_test
+from trueaxis.evaluation.positioning_table_file import read_runs
+from trueaxis.evaluation.positioning_test import evaluate
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text

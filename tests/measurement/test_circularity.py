@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from trueaxis.evaluation.iso230_4.circular_test import circularity
+from trueaxis.evaluation.circular_test import circularity
 
 ANGLES = np.linspace(0.0, 2.0 * np.pi, 360, endpoint=False)
 

@@ -15,7 +15,7 @@ from tests.real_data.linear_axis_data import FILE, SPEC, readings, write
 from trueaxis.cli.main import main as trueaxis
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Cause, Diagnosis
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.positioning_table_file import read_positioning_test
 from trueaxis.io.faults import Faults
 from trueaxis.machine.read import parse_machine
 from trueaxis.measurement.data import read_data

@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 import polars as pl
 
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.positioning_table_file import read_positioning_test
+from trueaxis.evaluation.positioning_test import PositioningTest
 
 FILE = Path(__file__).parents[3] / "shared" / "data" / "ess_iso230_2" / "axis_x.dat"
 SPEC = Path(__file__).with_name("linear_axis.toml")

@@ -7,8 +7,8 @@ from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gain
 from tests.real_data.linear_axis_data import FILE, readings
 from trueaxis.diagnosis.judging.structure import StructureClass
 from trueaxis.diagnosis.result import Diagnosis
-from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.positioning_table_file import read_positioning_test
+from trueaxis.evaluation.positioning_test import evaluate
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/ess_iso230_2 is not here")
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import file_to_write, key_value, option, positive
-from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS
+from trueaxis.evaluation.diagonal_test import DIAGONALS
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.jobs.evaluate import PLANES, EvaluateOptions, evaluated

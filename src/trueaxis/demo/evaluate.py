@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.word_choice import bar_error
-from trueaxis.evaluation.iso230_4.circular_test import Circularity, circularity
+from trueaxis.evaluation.circular_test import Circularity, circularity
 from trueaxis.measurement.data import read_data
 from trueaxis.measurement.reading_model import ideal_bar
 from trueaxis.model.errors import ErrorValues

@@ -39,7 +39,7 @@ from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.estimation.runs import noise_groups
-from trueaxis.evaluation.iso230_4.circular_test import circularity
+from trueaxis.evaluation.circular_test import circularity
 from trueaxis.measurement.reading_geometry import column, sensed_points
 
 

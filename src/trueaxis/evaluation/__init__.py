@@ -1,1 +1,1 @@
-"""Standard figures of tests: ISO 230-2, ISO 230-4 and ISO 230-6."""
+"""Standard tests, their figures and reports: positioning (ISO 230-2), circular (ISO 230-4), diagonal (ISO 230-6)."""

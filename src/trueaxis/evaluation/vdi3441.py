@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.evaluation import Evaluation
+from trueaxis.evaluation.positioning_test import Evaluation
 
 GUIDELINE = "VDI/DGQ 3441"
 SIGMAS = 6  # standard deviations that the positional scatter spans

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.table_file import NEGATIVE, POSITIVE
+from trueaxis.evaluation.positioning_table_file import NEGATIVE, POSITIVE
 from trueaxis.instrument_files.passes import ONE_WAY, passes_of
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.positioning_test import (
+from trueaxis.evaluation.positioning_table_file import read_positioning_test, read_runs
+from trueaxis.evaluation.positioning_test import (
     FEWEST_CYCLES,
     LARGEST_DEVIATION,
     MOST_TARGETS,
@@ -17,7 +18,6 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     Unit,
     too_few,
 )
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test, read_runs
 from trueaxis.instrument_files.csv_file import read_csv
 from trueaxis.instrument_files.rtl_file import ANGLES, is_rtl, read_rtl
 from trueaxis.instrument_files.user_keys import UserKeys

@@ -5,8 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.dat_file import read_dat
-from trueaxis.evaluation.iso230_2.table_file import COLUMNS, TABLES, read_positioning_test
+from trueaxis.evaluation.positioning_dat_file import read_dat
+from trueaxis.evaluation.positioning_table_file import COLUMNS, TABLES, read_positioning_test
 from trueaxis.instrument_files.csv_file import is_ball_bar, read_csv
 from trueaxis.instrument_files.rtl_file import is_rtl, read_rtl
 from trueaxis.instrument_files.user_keys import UserKeys

@@ -9,20 +9,18 @@ from typing import get_args
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.evaluation import Repeatability
-from trueaxis.evaluation.iso230_2.evaluation import evaluate as evaluate_positioning
-from trueaxis.evaluation.iso230_2.positioning_test import (
+from trueaxis.evaluation.circular_contributions import contributions
+from trueaxis.evaluation.circular_test import circular_figures, circular_test
+from trueaxis.evaluation.diagonal_test import DIAGONALS, diagonal_figures, diagonal_test
+from trueaxis.evaluation.positioning_test import (
     FEWEST_CYCLES,
     LARGEST_DEVIATION,
     PositioningTest,
+    Repeatability,
     Unit,
     too_few,
 )
-from trueaxis.evaluation.iso230_4.circular_test import circular_test
-from trueaxis.evaluation.iso230_4.contributions import contributions
-from trueaxis.evaluation.iso230_4.figures import circular_figures
-from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, diagonal_test
-from trueaxis.evaluation.iso230_6.figures import diagonal_figures
+from trueaxis.evaluation.positioning_test import evaluate as evaluate_positioning
 from trueaxis.instrument_files.csv_file import OF_BALL_BAR, read_csv
 from trueaxis.instrument_files.positioning import mapped_tests, positioning_test, positioning_tests
 from trueaxis.instrument_files.read import recognised

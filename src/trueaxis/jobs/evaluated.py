@@ -5,15 +5,11 @@ from pathlib import Path
 
 import polars as pl
 
-from trueaxis.evaluation.iso230_2 import report as positioning_report
-from trueaxis.evaluation.iso230_2.evaluation import Evaluation
-from trueaxis.evaluation.iso230_4 import report as circular_report
-from trueaxis.evaluation.iso230_4.circular_test import CircularTest
-from trueaxis.evaluation.iso230_4.contributions import Contributions
-from trueaxis.evaluation.iso230_4.figures import CircularFigures, about_centre
-from trueaxis.evaluation.iso230_6 import report as diagonal_report
-from trueaxis.evaluation.iso230_6.diagonal_test import DiagonalTest
-from trueaxis.evaluation.iso230_6.figures import DiagonalFigures
+from trueaxis.evaluation import circular_report, diagonal_report, positioning_report
+from trueaxis.evaluation.circular_contributions import Contributions
+from trueaxis.evaluation.circular_test import CircularFigures, CircularTest, about_centre
+from trueaxis.evaluation.diagonal_test import DiagonalFigures, DiagonalTest
+from trueaxis.evaluation.positioning_test import Evaluation
 from trueaxis.evaluation.vdi3441 import Vdi3441
 from trueaxis.evaluation.vdi3441 import figures_of as vdi3441_of
 from trueaxis.jobs.tables import Printed, Tabular

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_test import PositioningTest
 
 
 def made_up(m: int = 4, n: int = 3, seed: int = 1) -> PositioningTest:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.evaluation.iso230_2.builders import dat_text, made_up
 from trueaxis.cli.main import main
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_test import PositioningTest
 
 ARCSEC = 3600.0
 TARGETS = np.array([0.0, 45.5, 90.0, 137.25, 180.0, 226.0, 270.0, 315.75])

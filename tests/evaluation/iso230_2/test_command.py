@@ -9,7 +9,7 @@ import pytest
 
 from tests.evaluation.iso230_2.builders import dat_text, made_up
 from trueaxis.cli.main import main
-from trueaxis.evaluation.iso230_2.evaluation import evaluate
+from trueaxis.evaluation.positioning_test import evaluate
 from trueaxis.reporting.pictures.standard_tests import _positioning_figure, positioning_plot
 
 TEST = made_up(6, 5)

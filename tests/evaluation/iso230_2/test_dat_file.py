@@ -9,8 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.evaluation.iso230_2.builders import dat_text, made_up
-from trueaxis.evaluation.iso230_2.dat_file import read_dat
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_dat_file import read_dat
+from trueaxis.evaluation.positioning_test import PositioningTest
 from trueaxis.io.faults import Fault, InputError
 
 SETTINGS = settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from tests.evaluation.iso230_2.builders import made_up
-from trueaxis.evaluation.iso230_2.evaluation import Evaluation, Unidirectional, departures, evaluate
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.positioning_test import Evaluation, PositioningTest, Unidirectional, departures, evaluate
 
 ROOT2 = 2**0.5
 SETTINGS = settings(max_examples=60, deadline=None)

@@ -11,9 +11,8 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from trueaxis.evaluation.iso230_2.evaluation import Evaluation, evaluate
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.positioning_table_file import read_positioning_test
+from trueaxis.evaluation.positioning_test import Evaluation, PositioningTest, evaluate
 
 FOLDER = Path(__file__).parents[4] / "shared" / "data" / "ess_iso230_2"
 DIGITS = 5

@@ -10,8 +10,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.evaluation.iso230_2.builders import made_up
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest, Unit
-from trueaxis.evaluation.iso230_2.table_file import read_positioning_test
+from trueaxis.evaluation.positioning_table_file import read_positioning_test
+from trueaxis.evaluation.positioning_test import PositioningTest, Unit
 from trueaxis.io.faults import Fault, InputError
 
 TEST = made_up(3, 2)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tests.evaluation.iso230_4.path import Mill, turn
-from trueaxis.evaluation.iso230_4.circular_test import Arc, CircularTest
-from trueaxis.evaluation.iso230_4.contributions import Contribution, contributions
+from trueaxis.evaluation.circular_contributions import Contribution, contributions
+from trueaxis.evaluation.circular_test import Arc, CircularTest
 
 RADIUS, FEED = 150.0, 1000.0
 

@@ -5,8 +5,7 @@ import pytest
 from scipy.optimize import minimize
 
 from tests.evaluation.iso230_4.path import Mill, turn
-from trueaxis.evaluation.iso230_4.circular_test import Arc, CircularTest
-from trueaxis.evaluation.iso230_4.figures import circular_figures
+from trueaxis.evaluation.circular_test import Arc, CircularTest, circular_figures
 
 MILL = Mill(squareness=3e-5, scale=(2e-5, 0.0), reversal=(-4e-3, -2e-3), centre=(0.03, -0.02), bar=-0.006)
 

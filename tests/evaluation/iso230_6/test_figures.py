@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 
 from tests.evaluation.iso230_6.skewed import Skewed
-from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
-from trueaxis.evaluation.iso230_6.diagonal_test import DIAGONALS, DiagonalTest, diagonal_test
-from trueaxis.evaluation.iso230_6.figures import diagonal_figures
+from trueaxis.evaluation.diagonal_test import DIAGONALS, DiagonalTest, diagonal_figures, diagonal_test
+from trueaxis.evaluation.positioning_test import PositioningTest, evaluate
 
 VOLUME = {"X": 500.0, "Y": 400.0, "Z": 300.0}
 FACE = {"X": 500.0, "Y": 400.0}

@@ -14,9 +14,9 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
-from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional
-from trueaxis.evaluation.iso230_2.report import SHOWN
-from trueaxis.evaluation.iso230_6.figures import DiagonalFigures
+from trueaxis.evaluation.diagonal_test import DiagonalFigures
+from trueaxis.evaluation.positioning_report import SHOWN
+from trueaxis.evaluation.positioning_test import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional
 from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]

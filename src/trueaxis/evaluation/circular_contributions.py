@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_4.circular_test import CircularTest, FloatArray
+from trueaxis.evaluation.circular_test import CircularTest, FloatArray
 
 # Share of a column that the others leave of it, below which it is left out: its uncertainty would be more than five
 # times that without them.

@@ -4,11 +4,10 @@ import json
 import math
 from dataclasses import asdict
 
-from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR
-from trueaxis.evaluation.iso230_2.evaluation import STANDARD as DEFINITIONS
-from trueaxis.evaluation.iso230_2.report import CONVENTIONS, cell
-from trueaxis.evaluation.iso230_6.diagonal_test import DiagonalTest
-from trueaxis.evaluation.iso230_6.figures import STANDARD, DiagonalFigures, Geometric, OfDiagonal
+from trueaxis.evaluation.diagonal_test import STANDARD, DiagonalFigures, DiagonalTest, Geometric, OfDiagonal
+from trueaxis.evaluation.positioning_report import CONVENTIONS, cell
+from trueaxis.evaluation.positioning_test import COVERAGE_FACTOR
+from trueaxis.evaluation.positioning_test import STANDARD as DEFINITIONS
 
 _FIGURES = ("E", "B", "R", "A", "M")
 LEGEND = """\

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional, departures
-from trueaxis.evaluation.iso230_2.positioning_test import Unit
+from trueaxis.evaluation.positioning_test import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional, Unit, departures
 from trueaxis.evaluation.vdi3441 import GUIDELINE, SIGMAS, figures_of
 
 CONVENTIONS = {

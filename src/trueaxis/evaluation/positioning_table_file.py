@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.evaluation.iso230_2.dat_file import read_dat
-from trueaxis.evaluation.iso230_2.positioning_test import (
+from trueaxis.evaluation.positioning_dat_file import read_dat
+from trueaxis.evaluation.positioning_test import (
     FARTHEST_TARGET,
     FEWEST_CYCLES,
     LARGEST_DEVIATION,

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.evaluation.iso230_2.positioning_test import (
+from trueaxis.evaluation.positioning_test import (
     FARTHEST_TARGET,
     FEWEST_CYCLES,
     LARGEST_DEVIATION,

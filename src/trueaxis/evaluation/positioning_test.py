@@ -1,27 +1,60 @@
-"""Evaluation of a bidirectional positioning test by ISO 230-2:2014, coverage factor k = 2.
+"""A bidirectional positioning test: its readings, and its figures by ISO 230-2:2014, coverage factor k = 2.
 
 The definitions of clause 3 are those of linear and rotary axes alike, in mm or deg. Axes beyond 2000 mm or 360 deg may
 be tested with one approach of each target in each direction; repeatability and accuracy are not estimated then (6.2;
 its text as in GOST ISO 230-2-2016, which is a translation of the standard).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.evaluation.iso230_2.positioning_test import LONGEST_AXIS, PositioningTest, Unit
-
 FloatArray = NDArray[np.float64]
+
+MOST_TARGETS, MOST_CYCLES = 2000, 1000  # more is a table whose columns are confused
+FARTHEST_TARGET = 1e5  # mm
+FEWEST_CYCLES = 2  # of an axis up to its longest; of a diagonal 1, which gives no R and A
+LARGEST_DEVIATION = 10.0  # mm: beyond it target and reading are not in one unit, or not of one position
+
+Unit = Literal["mm", "deg"]  # of a linear axis, of a rotary one
+# Beyond it the standard tests an axis otherwise: one approach of each target and direction suffices (6.2).
+LONGEST_AXIS: dict[Unit, float] = {"mm": 2000.0, "deg": 360.0}
 Repeatability = Literal["iso", "unidirectional"]
 
 STANDARD = "ISO 230-2:2014"
 COVERAGE_FACTOR = 2
-FEWEST_TARGETS, FEWEST_CYCLES = 5, 5
+STANDARD_TARGETS, STANDARD_CYCLES = 5, 5
 TARGETS_PER_METRE = 5
 SINGLE = "clause 6.2: one approach, with B, E and M alone"
 EVEN = 1e-6  # of a step: rounding of evenly spaced targets
+
+
+@dataclass(frozen=True, slots=True)
+class PositioningTest:
+    """Targets P_i, (m,), and the positions P_ij measured there, (m, n), by direction of approach; mm or deg (`unit`).
+
+    positive: approached in the positive direction of the axis (the standard's upward arrow); negative: in the
+    negative one. m targets, at least 2; n cycles, at least 2, of axes beyond LONGEST_AXIS 1. Every value is finite.
+    """
+
+    targets: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    unit: Unit = "mm"
+
+    def swapped(self) -> "PositioningTest":
+        """The same readings where the labels of direction were the wrong way round."""
+        return replace(self, positive=self.negative, negative=self.positive)
+
+
+def too_few(what: str, count: int, span: float = 0.0, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> str:
+    """What is wrong with this many targets or cycles; empty where there are enough. span: of the targets, in `unit`."""
+    single = fewest_cycles == 1 or span > LONGEST_AXIS[unit]
+    if count >= 2 or (what == "cycle" and count == 1 and single):
+        return ""
+    return f"has {count} {what}{'' if count == 1 else 's'}: an evaluation needs at least 2, the standard's test 5"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,12 +147,12 @@ def departures(evaluation: Evaluation) -> list[str]:
         return [f"one approach of each target and direction on {span:g} {unit}: R and A are not estimated ({SINGLE})"]
     if unit == "deg":
         pass
-    elif m < FEWEST_TARGETS:
-        found.append(f"{m} targets; the standard asks at least {FEWEST_TARGETS}")
+    elif m < STANDARD_TARGETS:
+        found.append(f"{m} targets; the standard asks at least {STANDARD_TARGETS}")
     elif m < TARGETS_PER_METRE * span / 1000 and span <= longest:
         found.append(f"{m} targets on {span:g} mm; the standard asks at least {TARGETS_PER_METRE} per metre")
-    if evaluation.cycles < FEWEST_CYCLES:
-        found.append(f"{evaluation.cycles} cycles; the standard asks {FEWEST_CYCLES}")
+    if evaluation.cycles < STANDARD_CYCLES:
+        found.append(f"{evaluation.cycles} cycles; the standard asks {STANDARD_CYCLES}")
     steps = np.diff(np.sort(evaluation.targets))
     if unit == "mm" and m > 2 and np.ptp(steps) <= EVEN * steps.max():
         found.append("targets are evenly spaced; the standard spaces them unevenly, lest periodic errors hide")

@@ -5,9 +5,8 @@ from dataclasses import asdict
 
 import numpy as np
 
-from trueaxis.evaluation.iso230_4.circular_test import CircularTest
-from trueaxis.evaluation.iso230_4.contributions import Contributions
-from trueaxis.evaluation.iso230_4.figures import STANDARD, CircularFigures
+from trueaxis.evaluation.circular_contributions import Contributions
+from trueaxis.evaluation.circular_test import STANDARD, CircularFigures, CircularTest
 
 SENSES = {1: "ccw", -1: "cw"}
 NAMES = {
