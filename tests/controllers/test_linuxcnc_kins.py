@@ -29,7 +29,7 @@ from tests.machines import ROOT, serial_text
 from trueaxis.compensation.solve import solve
 from trueaxis.compensation.tools import Tool, tool_point_of
 from trueaxis.controllers.formats import KINS, export_module
-from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND
+from trueaxis.controllers.linuxcnc_kins import BEYOND
 from trueaxis.effects.kind import Effect
 from trueaxis.jobs.export import ExportOptions, exported
 from trueaxis.model.curves import PolynomialCurve

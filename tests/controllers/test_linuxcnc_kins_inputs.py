@@ -18,7 +18,7 @@ from tests.controllers.kins_machines import (
     with_random_errors,
 )
 from tests.controllers.kins_module import IN, KinsModule, compiler
-from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND
+from trueaxis.controllers.linuxcnc_kins import BEYOND
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel

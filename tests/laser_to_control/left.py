@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import trueaxis as ta
-from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
+from trueaxis.controllers.linuxcnc_kins import taken_by_module
 from trueaxis.model.curves import FloatArray
 
 TIP = np.array([[0.0], [0.0], [-95.0]])

@@ -7,8 +7,7 @@ from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, round_step
 from trueaxis.controllers.component_grids import taken_by_components
 from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
-from trueaxis.controllers.linuxcnc_kins import module_files
-from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
+from trueaxis.controllers.linuxcnc_kins import module_files, taken_by_module
 from trueaxis.controllers.remaining import Remaining, remaining, taken_by_tables
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.curves import FloatArray

@@ -1,8 +1,8 @@
 """A diagonal test: positioning tests along the diagonals of one box or of one of its faces, and its figures.
 
 A diagonal is named by a letter for each axis, X before Y before Z: p where the axis goes in its positive direction as
-the targets grow, n where it goes in its negative direction. The figures are E, B, R and A of each diagonal, the largest,
-scales, and squarenesses.
+the targets grow, n where it goes in its negative direction. The figures are E, B, R and A of each diagonal, the
+largest, scales, and squarenesses.
 
 The text of ISO 230-6 was not at hand. Each diagonal is evaluated as an axis by the definitions of ISO 230-2; Ed and Bd
 are the largest E and B. Scales and squarenesses are geometry, derived in `_by_geometry`.

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from trueaxis.compensation.reliance import PRIOR_SIZES
 from trueaxis.controllers.formats import COMP, FORMATS, KINS, Export, Layout, export_module, export_tables, problem_of
 from trueaxis.controllers.linuxcnc import ACTUAL, FILE_TYPES
-from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND, taken_by_module
+from trueaxis.controllers.linuxcnc_kins import BEYOND, taken_by_module
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
