@@ -12,7 +12,7 @@ from trueaxis.jobs.report import documented, faults_of_page
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_errors, load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.reporting.certificate.content import Known
+from trueaxis.reporting.certificate_content import Known
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]

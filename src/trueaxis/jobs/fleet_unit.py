@@ -24,7 +24,7 @@ from trueaxis.jobs.load import DataFolder, Errors, load_data, load_errors, load_
 from trueaxis.jobs.report import report
 from trueaxis.machine import read_machine
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.certificate.content import Content, ErrorLine, Known, content
+from trueaxis.reporting.certificate_content import Content, ErrorLine, Known, content
 
 ERRORS, REPORT, DIAGNOSIS = "errors.json", "report.html", "diagnosis"
 TOOL = (0.0, 0.0, 0.0)  # the point whose deviation over the volume is told, tool frame, mm

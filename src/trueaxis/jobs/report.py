@@ -13,7 +13,7 @@ from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, tool_points
 from trueaxis.jobs.typed import typed
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.certificate.content import Content, Known, content
+from trueaxis.reporting.certificate_content import Content, Known, content
 
 PAGES = (".html", ".htm")
 
@@ -75,7 +75,7 @@ def faults_of_page(out: Path, place: str) -> list[Fault]:
 
 def documented(now: Known, before: Known | None, tool: tuple[float, float, float], out: Path | None) -> Document:
     """As `report`."""
-    from trueaxis.reporting.certificate.page import certificate  # noqa: PLC0415  matplotlib and Jinja2: only for sound input
+    from trueaxis.reporting.certificate import certificate  # noqa: PLC0415  matplotlib and Jinja2: only for sound input
 
     figures = content(now, before, tool)
     html = certificate(figures, dict(now.model.kinds))

@@ -12,7 +12,7 @@ from tests.machines import ROOT
 from trueaxis.cli.main import main
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import load_uncertainty
-from trueaxis.reporting.certificate.content import Content, Known, content
+from trueaxis.reporting.certificate_content import Content, Known, content
 
 MACHINE, KERNELS = ROOT / "machines" / "dmu60p.toml", ROOT / "generated"
 TOOL = (10.0, -20.0, -120.0)

@@ -1,1 +1,0 @@
-"""Error values as a document: what they are, how certain, what they do over the volume, what has changed."""
