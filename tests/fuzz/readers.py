@@ -34,8 +34,7 @@ from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
 from trueaxis.instrument_files.data_run import data_run
-from trueaxis.instrument_files.positioning import positioning_test
-from trueaxis.instrument_files.read import read_instrument_file
+from trueaxis.instrument_files.read import positioning_test, read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Faults, InputError
 from trueaxis.machine import Machine, read_machine

@@ -1,4 +1,4 @@
-"""Conventions of readings in files: the unit and the axis of angles, and readings normalised to 20 degC.
+"""What files of instruments leave unsaid: the unit and the axis of angles, the temperature of readings, passes of rows.
 
 A laser measures the way that an axis goes as it is; a warm screw goes too far by its coefficient of expansion.
 Instruments may have taken that off already, by a coefficient of their own: it is added again before the axis's own is
@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import cast
 
 import numpy as np
+import numpy.typing as npt
 
 from trueaxis.effects.placement import REFERENCE_TEMPERATURE
 from trueaxis.instrument_files.user_keys import Question, RunKeys
@@ -25,6 +26,8 @@ UNITS = {"rad": 1.0, "mrad": 1e-3, "urad": 1e-6, "arcsec": math.radians(1.0 / 36
 # beyond a milliradian, in a file of which nobody has said the unit, is milliradians taken for radians.
 BELIEVED = 1e-3
 PER_KELVIN = 1e-6  # of what the keys are in
+ONE_WAY = "passes that begin where the one before began come from beyond their first target, as a test from one side"
+FEWEST_OF_PASS = 3  # rows, to tell a pass that is repeated from targets in no order
 
 
 def in_angles(source: InstrumentRun, own: RunKeys) -> InstrumentRun | None:
@@ -95,3 +98,23 @@ def _temperature(source: InstrumentRun, own: RunKeys) -> FloatArray | None:
         own.wrong("temperature", own.values["temperature"], f"degC, from {COLDEST:g} to {WARMEST:g}")
         return None
     return None if value is None else np.full(source.reading.size, value)
+
+
+def passes_of(targets: FloatArray) -> tuple[npt.NDArray[np.int64], bool]:
+    """(n,): the number of the pass that each row belongs to: a new one where the way turns round; and whether some
+    begin where the one before began.
+
+    A row at the position of the one before begins the next pass: there the axis went beyond and came back. So does one
+    at the first target of a pass of several: a test from one side goes back to where it began, and beyond.
+    """
+    passes = np.zeros(targets.size, dtype=np.int64)
+    way, begin, one_way = 0.0, 0, False
+    for row in range(1, targets.size):
+        step = float(np.sign(targets[row] - targets[row - 1]))
+        turned = step == 0.0 or way not in (0.0, step)
+        again = turned and row - begin >= FEWEST_OF_PASS and bool(targets[row] == targets[begin])
+        passes[row] = passes[row - 1] + turned
+        begin = row if turned else begin
+        way = 0.0 if again or (turned and step == 0.0) else step
+        one_way |= again and step != 0.0
+    return passes, one_way

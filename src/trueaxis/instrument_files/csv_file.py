@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.evaluation.positioning_table_file import NEGATIVE, POSITIVE
-from trueaxis.instrument_files.passes import ONE_WAY, passes_of
+from trueaxis.instrument_files.conventions import ONE_WAY, passes_of
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults
 from trueaxis.io.plain_text import shown

@@ -22,8 +22,7 @@ from trueaxis.evaluation.positioning_test import (
 )
 from trueaxis.evaluation.positioning_test import evaluate as evaluate_positioning
 from trueaxis.instrument_files.csv_file import OF_BALL_BAR, read_csv
-from trueaxis.instrument_files.positioning import mapped_tests, positioning_test, positioning_tests
-from trueaxis.instrument_files.read import recognised
+from trueaxis.instrument_files.read import mapped_tests, positioning_test, positioning_tests, recognised
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import gathering
