@@ -18,7 +18,7 @@ from tests.page.pages import derived, names, page, rows
 from tests.page.rows import cells_of, rows_of
 from trueaxis.codegen import chain_section, equations, latex, paper_section
 from trueaxis.codegen.chain_section import DroppedTerms
-from trueaxis.derivation import branch_steps, first_order
+from trueaxis.derivation import first_order
 
 KINDS = {
     "sign",
@@ -139,8 +139,8 @@ EMITTER_SLIPS: dict[str, tuple[Any, str, Callable[[Any], Any]]] = {
     "factors in the opposite order": (chain_section, "_PARTS", lambda parts: parts[::-1]),
     "place of the point negated": (chain_section, "_pose", lambda f: lambda ideal: f(tuple(-part for part in ideal))),
     "inverse not turned": (chain_section, "_turned", lambda f: lambda back, *rest: f(back.T + sp.eye(3), *rest)),
-    "lever of a rotation negated": (branch_steps, "cross", _negated),
-    "lever of a rotation exchanged": (branch_steps, "cross", _swapped),
+    "lever of a rotation negated": (first_order, "cross", _negated),
+    "lever of a rotation exchanged": (first_order, "cross", _swapped),
     "generators transposed": (first_order, "cross_matrix", _transpose),
     "coordinates of readings negated": (
         paper_section,

@@ -17,9 +17,8 @@ import sympy as sp
 from trueaxis.codegen.latex import WIDEST, Latex, block_width, broken
 from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation import symbols
-from trueaxis.derivation.branch_steps import BranchStep, Columns, branch_steps
 from trueaxis.derivation.chain import Joint, Vector, chains, matrix
-from trueaxis.derivation.first_order import FirstOrder, first_order
+from trueaxis.derivation.first_order import BranchStep, Columns, FirstOrder, branch_steps, first_order
 from trueaxis.derivation.routine import Routine
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import ROTARY, Machine

@@ -6,19 +6,27 @@ An error factor met at the ideal point p displaces it by delta + epsilon x p (it
 factors that follow only turn that displacement. Met inverted, the displacement is the opposite, at the point after
 the factor, which to first order is the same. So the sensitivity of a view to every error is one product.
 
+A branch is multiplied out body by body as such a pair: [SBk] = (1 + N_k) [SBk]^0, where N_k is the 4x4 matrix of a
+small rotation Theta_k about the origin of the bed frame and a displacement D_k. An error factor (delta, epsilon) that
+is met behind the error-free product (R, p) adds R epsilon to Theta and R delta + p x R epsilon to D; nothing is
+expanded and nothing of second order arises.
+
 The direction of an axis is that in which its body's frame moves, seen from the bed, turned by the position errors
 below it. The angle between two axes departs from 90 deg by the scalar product of their directions.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.chain import Error, Shift, Turn, Vector, cross_matrix, joint, rotation
+from trueaxis.derivation.chain import Error, Joint, Shift, Turn, Vector, cross, cross_matrix, joint, matrix, rotation
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
+
+Columns = Mapping[str, Vector]
 
 
 @dataclass(frozen=True)
@@ -102,3 +110,41 @@ def _linear(machine: Machine, value: sp.Expr) -> sp.Expr:
     names = [symbols.named(name) for name in machine.location_errors]
     zero = dict.fromkeys(names, sp.S.Zero)
     return sp.Add(*(sp.diff(value, name).subs(zero) * name for name in names))
+
+
+@dataclass(frozen=True)
+class BranchStep:
+    """What one joint adds to its branch.
+
+    ideal: [SBk]^0, 4x4, mm. rotation, displacement: for each error of the joint, by its name, the vector by which a
+    unit of it changes Theta (rad per mm or rad) and D (mm per mm or rad), bed frame.
+    """
+
+    joint: Joint
+    ideal: sp.Matrix
+    rotation: Columns
+    displacement: Columns
+
+
+def branch_steps(joints: tuple[Joint, ...]) -> tuple[BranchStep, ...]:
+    """The steps of a branch from the bed outwards."""
+    at = sp.eye(4)
+    steps: list[BranchStep] = []
+    for part in joints:
+        rotations: dict[str, Vector] = {}
+        displacements: dict[str, Vector] = {}
+        for factor in part.steps:
+            if not isinstance(factor, Error):
+                at = (at * matrix(factor)).applyfunc(sp.expand)
+                continue
+            for index, name in enumerate(factor.names):
+                if name is None:
+                    continue
+                turned = _vector(at[:3, index % 3])
+                if index < 3:
+                    displacements[name] = turned
+                else:
+                    rotations[name] = turned
+                    displacements[name] = cross(_vector(at[:3, 3]), turned)
+        steps.append(BranchStep(part, at, rotations, displacements))
+    return tuple(steps)
