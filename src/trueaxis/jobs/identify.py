@@ -10,10 +10,9 @@ from trueaxis.estimation.observations import observations
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.notes import compensation_note, unread_caveats
-from trueaxis.identification.origin import origin_of
 from trueaxis.identification.paper.method import identify_paper
 from trueaxis.identification.paper.solution import PaperOptions
-from trueaxis.identification.report import IdentificationReport
+from trueaxis.identification.report import IdentificationReport, origin_of
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
