@@ -10,8 +10,7 @@ from tests.hostile import make_hostile, run_of
 from tests.machines import ROOT
 from trueaxis.compensation.files import commanded_ends
 from trueaxis.demo import inputs
-from trueaxis.demo.evaluate import path_errors, read_wanted
-from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE
+from trueaxis.demo.evaluate import ESTIMATE, PROPOSED, STEPWISE, path_errors, read_wanted
 from trueaxis.io.faults import InputError
 
 

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
-from trueaxis.demo import study as module
-from trueaxis.demo.evaluate import left_um
-from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE, Study, study, study_text
+from trueaxis.demo import evaluate as module
+from trueaxis.demo.evaluate import ESTIMATE, PROPOSED, STEPWISE, Study, left_um, study, study_text
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_model

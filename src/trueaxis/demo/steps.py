@@ -7,8 +7,18 @@ import numpy as np
 
 from trueaxis.compensation.files import commanded_ends
 from trueaxis.demo import inputs
-from trueaxis.demo.evaluate import circles, left_um, path_errors, read_wanted
-from trueaxis.demo.study import ESTIMATE, NOISE_UM, PROPOSED, STEPWISE, study, study_text
+from trueaxis.demo.evaluate import (
+    ESTIMATE,
+    NOISE_UM,
+    PROPOSED,
+    STEPWISE,
+    circles,
+    left_um,
+    path_errors,
+    read_wanted,
+    study,
+    study_text,
+)
 from trueaxis.demo.summary import Figures, format_summary
 from trueaxis.io.files import write_files
 from trueaxis.io.told import NOT_DELIVERED
