@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from trueaxis.fleets.row import CauseFound, Row, ValueFound
-from trueaxis.fleets.summary import changed_from, summary_of
+from trueaxis.fleets.rows import CauseFound, Row, ValueFound, changed_from, summary_of
 from trueaxis.jobs.fleet import FleetResult
 
 

@@ -21,7 +21,7 @@ from tests.command_lines import PROGRAM, leftovers
 from tests.fleets.small_fleet import SLOPE, write_data, write_fleet
 from trueaxis.cli.main import main
 from trueaxis.fleets.fleet_file import read_fleet
-from trueaxis.fleets.row import read_row
+from trueaxis.fleets.rows import read_row
 from trueaxis.fleets.unit import chains_of
 from trueaxis.jobs.fleet_unit import do_unit
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from trueaxis import __version__
 from trueaxis.fleets.fleet_file import Fleet, FleetMachine, data_folders
-from trueaxis.fleets.row import SCHEMA, Row, read_row
+from trueaxis.fleets.rows import SCHEMA, Row, read_row
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.toml_lines import LARGEST_TEXT
 from trueaxis.measurement import readings, setup

@@ -10,13 +10,12 @@ import polars as pl
 from trueaxis.cluster.tasks import Ended, Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
-from trueaxis.fleets.row import ROW_FILE, Row, read_row, row_text, rows_frame
-from trueaxis.fleets.summary import Summary, summary_of
+from trueaxis.fleets.rows import ROW_FILE, Row, Summary, read_row, row_text, rows_frame, summary_of
 from trueaxis.fleets.unit import Chain, Unit, chains_of, inputs_digest, kept_row
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.io.staging import written_by_one
 from trueaxis.jobs.draws import workers_of
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare

@@ -11,12 +11,12 @@ from functools import lru_cache
 from pathlib import Path
 
 from trueaxis import __version__
-from trueaxis.fleets.row import ROW_FILE, CauseFound, Row, ToolFound, ValueFound, read_row, row_text
+from trueaxis.fleets.rows import ROW_FILE, CauseFound, Row, ToolFound, ValueFound, read_row, row_text
 from trueaxis.fleets.unit import Unit, inputs_digest, kept_row, values_before
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import remove_files, write_files
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.jobs.derive import derive
 from trueaxis.jobs.given import name_of, with_errors
 from trueaxis.jobs.identify import UnbelievableError, identify

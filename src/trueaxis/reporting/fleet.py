@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from urllib.parse import quote
 
-from trueaxis.fleets.row import CauseFound, Row
-from trueaxis.fleets.summary import Changed, Summary
+from trueaxis.fleets.rows import CauseFound, Changed, Row, Summary
 from trueaxis.fleets.unit import GIVEN, MACHINES
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.quantity import ascii_only, quantity
