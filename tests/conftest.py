@@ -119,4 +119,4 @@ def without_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr("trueaxis.jobs.beside.cores", lambda: 1)
     monkeypatch.setattr("trueaxis.jobs.drawn_and_derived.drawn_and_derived", neither)
-    monkeypatch.setattr("trueaxis.reporting.diagnosis.pictures.pictures_of", none)
+    monkeypatch.setattr("trueaxis.reporting.diagnosis.figures.pictures_of", none)

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from trueaxis.diagnosis.extended_spec import Extended
 from trueaxis.diagnosis.result import Diagnosis
+from trueaxis.reporting.diagnosis.figures import pictures_of
 from trueaxis.reporting.diagnosis.picture import Pictures
-from trueaxis.reporting.diagnosis.pictures import pictures_of
 
 
 def drawn_and_derived(diagnosis: Diagnosis, extended: Extended | None) -> tuple[Pictures, Mapping[str, bytes]]:

@@ -75,7 +75,7 @@ def contents_of(out: Path, given: Given, diagnosis: "Diagnosis", extending: Exte
 
     pictures, files = extending.second()
     if diagnosis.misfits != extending.misfits:  # names were taken back
-        from trueaxis.reporting.diagnosis.pictures import pictures_of  # noqa: PLC0415 - seldom, and slow to import
+        from trueaxis.reporting.diagnosis.figures import pictures_of  # noqa: PLC0415 - seldom, and slow to import
 
         pictures = pictures_of(diagnosis)
     extended = extending.extended if diagnosis.values is not None else None

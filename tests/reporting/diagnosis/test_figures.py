@@ -21,7 +21,7 @@ from trueaxis.reporting.diagnosis.figures.periodogram import (
     powers,
     spectrum_of,
 )
-from trueaxis.reporting.diagnosis.figures.whiteness import _autocorrelation
+from trueaxis.reporting.diagnosis.figures.residuals import _autocorrelation
 from trueaxis.reporting.diagnosis.lines import envelope, lines_of, rounds_of, sample
 from trueaxis.reporting.diagnosis.svg import BLUE, ORANGE, SHAPES, cloud, one_path, picture, stacked
 

@@ -17,9 +17,9 @@ from trueaxis.diagnosis.further_runs.of_plan import Absence, Placed
 from trueaxis.diagnosis.result import BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.reporting.diagnosis import html as page_of
+from trueaxis.reporting.diagnosis.figures import pictures_of
 from trueaxis.reporting.diagnosis.html import TEMPLATE, mathml
 from trueaxis.reporting.diagnosis.picture import Pictures
-from trueaxis.reporting.diagnosis.pictures import pictures_of
 from trueaxis.reporting.diagnosis.tables import MOST_PRINTED
 from trueaxis.template_folders import template_folders
 
@@ -108,7 +108,7 @@ def test_the_page_is_the_same_to_the_byte_in_another_process_with_another_matplo
         "import sys, matplotlib; matplotlib.rcParams.update({'font.size': 30.0, 'axes.grid': False})\n"
         "from tests.reporting.diagnosis import builders\n"
         "from trueaxis.reporting.diagnosis.html import report_html\n"
-        "from trueaxis.reporting.diagnosis.pictures import pictures_of\n"
+        "from trueaxis.reporting.diagnosis.figures import pictures_of\n"
         "diagnosis = builders.diagnosis('explained')\n"
         "sys.stdout.buffer.write(report_html(diagnosis, pictures_of(diagnosis)).encode())"
     )
