@@ -3,7 +3,7 @@
 import pytest
 
 from trueaxis.identification.words import small
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 from trueaxis.reporting.diagnosis.quantity import quantity
 
 

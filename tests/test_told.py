@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.command_lines import COMMANDS, command_line, run, words_of
 from trueaxis.cli.main import main
 from trueaxis.io.faults import Fault
-from trueaxis.io.plain_text import LONGEST, escaped, shown
+from trueaxis.io.safe_text import LONGEST, escaped, shown
 from trueaxis.io.told import NOT_DELIVERED, Told
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="streams are closed by a POSIX shell")

@@ -10,7 +10,7 @@ from trueaxis.cli.arguments import key_value
 from trueaxis.instrument_files.read import FORMATS
 from trueaxis.instrument_files.user_keys import Question
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.jobs.import_readings import faults_of_out, imported
 from trueaxis.machine import read_machine
 from trueaxis.measurement.instrument_run import FloatArray

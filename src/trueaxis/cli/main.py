@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 
 from trueaxis import __version__
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.io.told import NOT_DELIVERED, StandardStreams
 from trueaxis.stopping import Stopped
 

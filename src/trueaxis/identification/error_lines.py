@@ -3,7 +3,7 @@
 from trueaxis.error_name import ErrorName
 from trueaxis.identification.report import ComponentReport, LocationReport
 from trueaxis.identification.words import parts_of_u
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 
 MICRO = 1e6
 KNOWN_WIDTH, U_WIDTH = 22, 9

@@ -7,7 +7,7 @@ import numpy as np
 
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import Determined
 

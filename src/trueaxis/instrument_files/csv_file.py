@@ -12,7 +12,7 @@ from trueaxis.evaluation.positioning_table_file import NEGATIVE, POSITIVE
 from trueaxis.instrument_files.conventions import ONE_WAY, passes_of
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Faults
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.measurement.delimited import (
     DelimitedText,
     Dimension,

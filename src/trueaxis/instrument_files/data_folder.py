@@ -8,7 +8,7 @@ import numpy as np
 
 from trueaxis.instrument_files.data_run import DataRun
 from trueaxis.instrument_files.user_keys import RunKeys
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
 from trueaxis.measurement.limits import LONGEST_ID

@@ -10,7 +10,7 @@ import numpy as np
 from trueaxis.instrument_files.conventions import about, in_angles, normalised
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
-from trueaxis.io.plain_text import escaped
+from trueaxis.io.safe_text import escaped
 from trueaxis.machine.machine import BED, LINEAR, Machine
 from trueaxis.measurement.instrument_kinds import ANGLE, ARM, Instrument, small_unit, unit_of_file
 from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun

@@ -22,7 +22,7 @@ import numpy as np
 
 from trueaxis.io.faults import Faults, InputError
 from trueaxis.io.input_files import decoded, input_bytes
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.measurement.delimited import decimal
 from trueaxis.measurement.instrument_run import MOST_ROWS, FloatArray, InstrumentRun, approach_of_passes
 

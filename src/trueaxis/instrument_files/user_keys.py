@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from trueaxis.io.faults import Fault
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.measurement.delimited import decimal
 
 # Of --map; those that end with a point have a name behind it: of an axis, a column.

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from contextlib import suppress
 from types import TracebackType
 from typing import TextIO
 
-from trueaxis.io.plain_text import escaped
+from trueaxis.io.safe_text import escaped
 
 NOT_DELIVERED = 1  # exit code: all was done, but standard output could not take the text
 _LAYOUT = "\n\t"

@@ -13,8 +13,8 @@ import polars as pl
 from trueaxis.identification.notes import compensation_note
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
-from trueaxis.io.html_table import html_table
 from trueaxis.io.input_files import gathering
+from trueaxis.io.safe_text import html_table
 from trueaxis.jobs.beside import beside
 from trueaxis.jobs.derive import identification_runs
 from trueaxis.jobs.extending import SECOND, Extending, Given, Start, contents_of, outputs, spec_text
@@ -73,8 +73,8 @@ class Diagnosed(Tabular):
 
     def html(self) -> str:
         """The page that the command writes as report.html."""
+        from trueaxis.reporting.diagnosis.figures import pictures_of  # noqa: PLC0415
         from trueaxis.reporting.diagnosis.html import report_html  # noqa: PLC0415  Jinja2 and matplotlib: for who asks
-        from trueaxis.reporting.diagnosis.pictures import pictures_of  # noqa: PLC0415
 
         return report_html(self.diagnosis, pictures_of(self.diagnosis))
 

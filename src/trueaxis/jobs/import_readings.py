@@ -15,7 +15,7 @@ from trueaxis.instrument_files.user_keys import Question, UserKeys
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering, input_bytes
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.jobs.given import kernels_of
 from trueaxis.jobs.load import AnyPath, DataFolder, load_data
 from trueaxis.jobs.outputs import named, overwritten

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.files import write_files
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.outputs import named

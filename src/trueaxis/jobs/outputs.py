@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from trueaxis.io.faults import Fault
-from trueaxis.io.plain_text import shown
+from trueaxis.io.safe_text import shown
 from trueaxis.measurement import readings, setup
 from trueaxis.model.manifest import KERNEL_FILES, MANIFEST
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import Direction, ErrorName
-from trueaxis.io.html_table import html_table
+from trueaxis.io.safe_text import html_table
 from trueaxis.machine.fields import Fields
 from trueaxis.machine.prior import Prior
 

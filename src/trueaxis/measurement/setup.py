@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from trueaxis.io.plain_text import escaped
+from trueaxis.io.safe_text import escaped
 from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.view import Carrier, Frame
 

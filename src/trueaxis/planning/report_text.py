@@ -17,7 +17,7 @@ from trueaxis.identification.words import (
     small,
     tool_sentence,
 )
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 from trueaxis.planning.propose import LEAST_FREEDOM
 from trueaxis.planning.report import (
     BlockReport,

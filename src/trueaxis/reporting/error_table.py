@@ -4,7 +4,7 @@ import numpy as np
 import polars as pl
 
 from trueaxis.error_name import ErrorName
-from trueaxis.io.html_table import html_table
+from trueaxis.io.safe_text import html_table
 from trueaxis.machine.machine import Machine
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import Curve, LegendreCurve, TableCurve

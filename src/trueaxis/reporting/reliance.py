@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensation.reliance import Reliance
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.best_fit import Placement
 from trueaxis.model.errors import ErrorValues, Fit

@@ -3,7 +3,7 @@
 import math
 import re
 
-from trueaxis.io.plain_text import plain_zero
+from trueaxis.io.safe_text import plain_zero
 
 MICRO = "\N{MICRO SIGN}"
 UM = f"{MICRO}m"

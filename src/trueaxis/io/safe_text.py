@@ -1,7 +1,10 @@
-"""Text that is safe to show: what a name or value from a file holds cannot steer a terminal or fill the screen.
+"""Text that is safe to show: what a name or value of a file holds steers no terminal, fills no screen, is no markup.
 
 Numbers of a report that are zero but for rounding are shown as zero.
 """
+
+from collections.abc import Iterable, Sequence
+from html import escape
 
 LONGEST = 1000  # characters of one part of a message: more than any file name that is met, less than a screen
 _UNDECODED = range(0xDC80, 0xDD00)  # how Python keeps the bytes of a file name that are not UTF-8
@@ -37,3 +40,16 @@ def _escape(character: str) -> str:
 def plain_zero(value: float) -> float:
     """The value in um, urad or ppm, 0 where it is so small that only rounding made it other than zero."""
     return 0.0 if abs(value) < NEAR_ZERO else value
+
+
+def html_table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """A `<table>` with a caption; None and NaN are empty cells, numbers have four digits."""
+    top = "".join(f"<th>{escape(name)}</th>" for name in head)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(_cell(one))}</td>' for one in row)}</tr>" for row in rows)
+    return f"<table><caption>{escape(caption)}</caption><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _cell(value: object) -> str:
+    if value is None or value != value:  # noqa: PLR0124  NaN alone differs from itself
+        return ""
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
