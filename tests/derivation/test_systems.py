@@ -14,7 +14,7 @@ from tests.machines import DMU60P, ROOT, machine_at, machine_of, serial_text
 from trueaxis.codegen.equations import equations_page
 from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation.model import DerivedModel, derive_model
-from trueaxis.derivation.systems import RunPattern, identification, run_motion, undetermined
+from trueaxis.derivation.systems import RunPattern, identification, point_values, run_motion, undetermined
 from trueaxis.jobs.derive import run_patterns
 from trueaxis.measurement.data import read_data
 from trueaxis.view import Carrier, Frame
@@ -146,7 +146,11 @@ def test_the_published_points_of_z_are_singular_and_no_others() -> None:
     assert found is not None
     ranks = {}
     for system in found.systems:
-        matrix = np.array(system.numeric_matrix().subs({sp.Symbol(n, real=True): v for n, v in DIMENSIONS.items()}))
+        matrix = np.array(
+            system.matrix.subs(point_values(system.points)).subs(
+                {sp.Symbol(n, real=True): v for n, v in DIMENSIONS.items()}
+            )
+        )
         ranks[system.runs[0]] = np.linalg.matrix_rank(matrix.astype(float)) - len(system.unknowns)
     assert ranks.pop("Z-7") == -1
     assert set(ranks.values()) == {0}
@@ -314,7 +318,7 @@ def test_a_system_of_backward_directions_has_the_signs_of_its_readings(way: tupl
     (system,) = identification(machine, runs).systems
     chain = ExactChain(DMU60P.read_text().replace(*ONLY_THREE))
     zero = {sp.Symbol(name, real=True): 0 for name in machine.dimensions}
-    found = np.array(system.numeric_matrix().subs(zero)).astype(float)
+    found = np.array(system.matrix.subs(point_values(system.points)).subs(zero)).astype(float)
     pose = pose_of(runs[0], 0.5, machine.travel)
     wanted = [first_order_readings(chain, run, pose, {}, [{name: 1} for name in system.unknowns]) for run in runs]
     np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-12)

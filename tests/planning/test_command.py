@@ -20,7 +20,7 @@ from trueaxis.machine import read_machine
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
 from trueaxis.planning.judge import noise_of_instruments, noise_of_runs
-from trueaxis.planning.paths import follow
+from trueaxis.planning.paths import follow_circle, follow_turn
 
 MACHINE = ROOT / "machines" / "dmu60p.toml"
 RUNS = ROOT / "machines" / "dmu60p_runs"
@@ -171,7 +171,7 @@ def trunnion_plan(folder: Path) -> Path:
     for axis, angles in (("A", np.linspace(-60, 30, 10)), ("C", np.linspace(-170, 170, 12))):
         turning = np.repeat(middle, angles.size, axis=1)
         turning[machine.axes.index(axis)] = angles
-        positions = follow(machine, turning, tool, np.repeat(centre, angles.size, axis=1))
+        positions = follow_turn(machine, turning, tool, np.repeat(centre, angles.size, axis=1))
         assert positions is not None
         home = ", ".join(f"{name} = {value}" for name, value in zip(machine.axes, positions[:, 0], strict=True))
         for name, unit in zip("xyz", np.eye(3).tolist(), strict=True):
@@ -181,7 +181,7 @@ def trunnion_plan(folder: Path) -> Path:
     for run_id, plane in (("xy", (0, 1)), ("yz", (1, 2)), ("xz", (0, 2))):
         way = np.repeat(centre, 36, axis=1)
         way[list(plane)] += 100.0 * np.array([np.cos(angle), np.sin(angle)])
-        positions = follow(machine, np.repeat(middle, 36, axis=1), tool, way)
+        positions = follow_circle(machine, np.repeat(middle, 36, axis=1), tool, way)
         assert positions is not None
         setup += add(run_id, "instrument = 'ballbar'\nlength = 100.0\n", positions)
     (folder / "setup.toml").write_text(setup)

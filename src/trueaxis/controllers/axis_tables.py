@@ -23,7 +23,6 @@ from trueaxis.model.uncertainty import home_of
 MOST_POINTS = 200  # of a table by default: what the smallest control takes (SINUMERIK 808D, 828D)
 OTHERS = 5  # positions of each other axis over which is averaged: exact for curves up to the third power
 ROUND_STEPS = (1.0, 2.0, 5.0)
-SHORTEST_STEP = 1e-3  # mm or deg
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -64,10 +64,11 @@ def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
                     if name is not None:
                         # A body below both ends is met twice: both effects add.
                         columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * generators[:, index]
-    return FirstOrder(_vector(at), {name: _vector(column) for name, column in columns.items()})
+    return FirstOrder(expanded(at), {name: expanded(column) for name, column in columns.items()})
 
 
-def _vector(column: sp.Matrix) -> Vector:
+def expanded(column: sp.Matrix) -> Vector:
+    """A column (3, 1) with its products multiplied out."""
     x, y, z = (sp.expand(entry) for entry in column)
     return x, y, z
 
@@ -140,11 +141,11 @@ def branch_steps(joints: tuple[Joint, ...]) -> tuple[BranchStep, ...]:
             for index, name in enumerate(factor.names):
                 if name is None:
                     continue
-                turned = _vector(at[:3, index % 3])
+                turned = expanded(at[:3, index % 3])
                 if index < 3:
                     displacements[name] = turned
                 else:
                     rotations[name] = turned
-                    displacements[name] = cross(_vector(at[:3, 3]), turned)
+                    displacements[name] = cross(expanded(at[:3, 3]), turned)
         steps.append(BranchStep(part, at, rotations, displacements))
     return tuple(steps)

@@ -10,7 +10,7 @@ import sympy as sp
 
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
-from trueaxis.derivation.first_order import FirstOrder, first_order
+from trueaxis.derivation.first_order import FirstOrder, expanded, first_order
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import LINEAR, ROTARY, Machine
 from trueaxis.machine.topology import branches
@@ -49,10 +49,10 @@ def motion_equation(
             if location in at.columns:
                 change = sp.Matrix(at.columns[location]) - sp.Matrix(home.columns[location])
                 columns[location] = columns.get(location, sp.zeros(3, 1)) + sign * change
-    kept = {name: _vector(column) for name, column in columns.items() if any(column)}
+    kept = {name: expanded(column) for name, column in columns.items() if any(column)}
     ordered = {name: kept[name] for name in machine.components + machine.location_errors if name in kept}
     axes = tuple(axis for axis in machine.axes if axis in moves)
-    return MotionEquation(axes, frame, terms, FirstOrder(_vector(ideal), ordered))
+    return MotionEquation(axes, frame, terms, FirstOrder(expanded(ideal), ordered))
 
 
 def standard_motions(machine: Machine) -> tuple[MotionEquation, ...]:
@@ -93,9 +93,4 @@ def _at(machine: Machine, moved: FirstOrder, moves: Collection[str]) -> FirstOrd
 
 def _substituted(values: Vector, by: dict[sp.Symbol, sp.Expr]) -> Vector:
     x, y, z = (value.xreplace(by) for value in values)
-    return x, y, z
-
-
-def _vector(column: sp.Matrix) -> Vector:
-    x, y, z = (sp.expand(entry) for entry in column)
     return x, y, z

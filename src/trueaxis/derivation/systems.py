@@ -56,10 +56,6 @@ class IdentificationSystem:
     points: tuple[tuple[Vector, Carrier, Point], ...]
     rank: int
 
-    def numeric_matrix(self) -> sp.Matrix:
-        """The matrix at the points of the runs, exact rational numbers."""
-        return self.matrix.subs(point_values(self.points))
-
 
 @dataclass(frozen=True)
 class Identification:

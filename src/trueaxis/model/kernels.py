@@ -9,15 +9,11 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.machine.machine import Machine
 from trueaxis.model.c_kernels import load_c_kernels
 from trueaxis.model.manifest import C_FILES, other_spec, spec_label, verified_code
 
-FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]
 
 _LOG = logging.getLogger(__name__)

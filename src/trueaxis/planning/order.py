@@ -14,8 +14,6 @@ from trueaxis.measurement.setup import Run
 from trueaxis.model.errors import ErrorValues
 from trueaxis.planning.report import BlockReport
 
-SAME = 1e-9  # mm, relative to the size of the points
-
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Order:

@@ -20,19 +20,11 @@ STATIONS = 16  # of a line: waves of an eighth of it are resolved
 GRID, PLATE = 5, 400.0  # positions along a side, mm: of a calibrated plate that is probed
 
 
-def follow(machine: IdentifiedMachine, positions: FloatArray, tool: Vector, way: FloatArray) -> FloatArray | None:
+def follow_turn(machine: IdentifiedMachine, positions: FloatArray, tool: Vector, way: FloatArray) -> FloatArray | None:
     """(n_axes, m): positions with the linear axes such that a tool point is at `way` (3, n) in the workpiece frame.
 
-    Those outside the travels are left out; None where less than SHARE of them are within, or no axes reach it.
+    Of a turn the longest part that is within the travels, thinned out; None where it is short, or no axes reach it.
     """
-    reached = _reached(machine, positions, tool, way)
-    if reached is None or reached[1].mean() < SHARE:
-        return None
-    return np.ascontiguousarray(reached[0][:, reached[1]])
-
-
-def follow_turn(machine: IdentifiedMachine, positions: FloatArray, tool: Vector, way: FloatArray) -> FloatArray | None:
-    """The same for the longest part of a turn that is within the travels, thinned out; None where it is short."""
     reached = _reached(machine, positions, tool, way)
     if reached is None:
         return None
@@ -119,14 +111,6 @@ def rows_of(machine: IdentifiedMachine, rows: Mapping[str, FloatArray], count: i
 def there_and_back(positions: FloatArray) -> FloatArray:
     """(n_axes, 2 n - 1): a path and the same backwards."""
     return np.ascontiguousarray(np.hstack([positions, positions[:, -2::-1]]))
-
-
-def motion(machine: IdentifiedMachine, positions: FloatArray, tool: Vector) -> FloatArray:
-    """(3,): unit vector from the first position of a path to its middle, seen from the workpiece."""
-    ends = np.ascontiguousarray(positions[:, [0, positions.shape[1] // 2]])
-    seen = machine.view_ideal("tool_in_workpiece", ends, column(tool))
-    moved = seen[:, 1] - seen[:, 0]
-    return np.asarray(moved / np.linalg.norm(moved))
 
 
 def places(machine: IdentifiedMachine) -> list[FloatArray]:
