@@ -5,11 +5,9 @@ import sys
 from pathlib import Path
 
 from trueaxis.io.files import write_files
-from trueaxis.schemas.diagnosis import diagnosis_schema
-from trueaxis.schemas.errors import errors_schema
-from trueaxis.schemas.machine import machine_schema
+from trueaxis.schemas.json_files import diagnosis_schema, errors_schema
 from trueaxis.schemas.pieces import Schema
-from trueaxis.schemas.setup import setup_schema
+from trueaxis.schemas.toml_files import machine_schema, setup_schema
 
 USAGE = "usage: python -m trueaxis.schemas FOLDER"
 
