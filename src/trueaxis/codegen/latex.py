@@ -191,13 +191,13 @@ def block_width(maths: str) -> float:
     return max(width(row) for row in flat.split(r"\\"))
 
 
-def broken(left: str, terms: Sequence[str], widest: float = WIDEST) -> str:
+def broken(left: str, terms: Sequence[str]) -> str:
     """`left &= terms` in as many rows of an `aligned` block as their width asks for; each term bears its sign."""
     lines: list[list[str]] = [[terms[0].removeprefix("+ ") if terms else "0"]]
     indent = width(left) + 1.3
     used = indent + width(lines[0][0])
     for term in terms[1:]:
-        if used + width(term) > widest:
+        if used + width(term) > WIDEST:
             lines.append([])
             used = indent + 1.0
         lines[-1].append(term)

@@ -84,11 +84,11 @@ def _read_positioning(path: Path) -> InstrumentRun:
     )
 
 
-def positioning_test(path: Path, unit: Unit = "mm", fewest_cycles: int = FEWEST_CYCLES) -> PositioningTest:
+def positioning_test(path: Path, unit: Unit = "mm") -> PositioningTest:
     """Read a .rtl, .dat, .csv, .txt or .parquet file. Raises InputError with every fault."""
     if not is_rtl(input_bytes(path)):
-        return read_positioning_test(path, unit, fewest_cycles)
-    return _of_rtl(path, unit, fewest_cycles)
+        return read_positioning_test(path, unit)
+    return _of_rtl(path, unit, FEWEST_CYCLES)
 
 
 def mapped_tests(

@@ -79,9 +79,10 @@ def period(one: Placed) -> str:
     return ", ".join(f"{written(value, '.4g')}{NBSP}{one.effect.error.axis_unit}" for value in one.point.values())
 
 
-def shortened(words: Sequence[str], most: int = MOST_ALTERNATIVES) -> list[str]:
+def shortened(words: Sequence[str]) -> list[str]:
     """The first of many, and how many more."""
-    return [*words[:most], f"{len(words) - most} more"] if len(words) > most + 1 else [*words]
+    more = len(words) - MOST_ALTERNATIVES
+    return [*words[:MOST_ALTERNATIVES], f"{more} more"] if more > 1 else [*words]
 
 
 def alternatives(cause: Cause) -> list[str]:
