@@ -18,7 +18,7 @@ from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.control_tables import export_sentences
+from trueaxis.reporting.export import export_sentences
 
 ORIGIN = np.zeros((3, 1))
 

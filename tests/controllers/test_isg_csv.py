@@ -11,7 +11,7 @@ from trueaxis.controllers.formats import export_tables, problem_of
 from trueaxis.controllers.isg_csv import ComponentTable, ControlModel, control_model, csv_text, reversed_axes
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.model import MachineModel
-from trueaxis.reporting.control_tables import export_sentences
+from trueaxis.reporting.export import export_sentences
 
 TOOL = np.array([[3.0], [-2.0], [-60.0]])
 BOTH = TABLE.replace("[axis.X]", "[axis.X]\nsense = -1")

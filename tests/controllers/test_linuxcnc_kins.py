@@ -37,7 +37,7 @@ from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.manifest import CONTROL_FILES
 from trueaxis.model.own_uncertainty import own_uncertainty
-from trueaxis.reporting.control_tables import export_sentences
+from trueaxis.reporting.export import export_sentences
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="there is no C compiler")
 

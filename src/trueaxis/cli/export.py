@@ -17,7 +17,7 @@ from trueaxis.jobs.outputs import named
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.reporting.control_tables import ACCEPT_WORSE
+from trueaxis.reporting.export import ACCEPT_WORSE
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]

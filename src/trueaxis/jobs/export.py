@@ -26,15 +26,16 @@ from trueaxis.model.manifest import verified_control_code
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import prior_size
-from trueaxis.reporting.control_tables import (
+from trueaxis.reporting.export import (
     ACCEPT_WORSE,
+    example_position,
     export_sentences,
     head_lines,
     left_text,
     module_limit_sentence,
+    module_readme,
     worse_sentence,
 )
-from trueaxis.reporting.linuxcnc_kins import example_position, readme
 from trueaxis.reporting.reliance import (
     error_free_sentences,
     extent_sentences,
@@ -199,7 +200,7 @@ def _made(name: str, model: MachineModel, tool: FloatArray, options: ExportOptio
     kernels = verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")
     made = export_module(model, tool, positions, kernels)
     moves = -taken_by_module(model, tool)(example_position(model), np.zeros(len(model.axes)))
-    page = readme(model, tool, moves, export_sentences(name, model, made))
+    page = module_readme(model, tool, moves, export_sentences(name, model, made))
     return replace(made, files={**made.files, "README.md": page})
 
 
