@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.machines import ROOT
-from tests.reporting.certificate.test_content import ECY, EXX, KERNELS, MACHINE, written
+from tests.reporting.test_certificate_content import ECY, EXX, KERNELS, MACHINE, written
 from trueaxis.cli.main import main
 
 
