@@ -6,7 +6,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
@@ -150,11 +150,13 @@ PLACES = st.one_of(
         "  N5  X3. ",
     ]),
 )  # fmt: skip
+# the first block, said again
+AGAIN = st.sampled_from(["{}", "{}", "N9 {}", "{} F100", "{} F100.", "{}X1.", "F100. {}", "{} Z-20.", "{} Q3"])
 DRILLED = st.tuples(
     st.sampled_from(["\n", "\n", "\r\n"]),
-    st.lists(st.one_of(PLACES, PLACES, PLACES, PLACES, PLACES, PLACES, CYCLES, PLAIN), min_size=6, max_size=40).flatmap(
-        lambda lines: CYCLES.map(lambda first: [first, *lines])
-    ),
+    st.lists(
+        st.one_of(PLACES, PLACES, PLACES, PLACES, PLACES, PLACES, AGAIN, AGAIN, CYCLES, PLAIN), min_size=6, max_size=40
+    ).flatmap(lambda lines: CYCLES.map(lambda first: [first, *(line.replace("{}", first) for line in lines)])),
     st.booleans(),
 )
 TEXTS = st.tuples(
@@ -204,6 +206,10 @@ def module_bench(tmp_path_factory: pytest.TempPathFactory) -> Bench:
     return Bench(tmp_path_factory.mktemp("runs"))
 
 
+@example(  # the dwell of further holes is written as their own blocks are
+    text=("\n", ["G82 X1. Y2. Z-20. R-10. P1", "X3.Y4.", "X4.Y5.", "X5.Y6.", "X6.Y7."], True), arcs="keep",
+    integers=None, few=50, dialect=None, head=HEAD, start={},
+)  # fmt: skip
 @settings(max_examples=80, deadline=None)
 @given(
     text=st.one_of(TEXTS, DRILLED),

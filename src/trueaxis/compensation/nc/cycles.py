@@ -18,12 +18,12 @@ from trueaxis.compensation.nc.cycle_blocks import (
     SPINDLE_STOP,
     CycleError,
     CycleWriter,
-    Hole,
     steps,
 )
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import REPLACED, Block, Meaning, block_text
 from trueaxis.compensation.nc.modes import ModeReader
+from trueaxis.compensation.nc.run_holes import Hole
 from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import Settings
 
@@ -268,7 +268,7 @@ class CycleReader:
             yield (Kind.LINE if what == FEED else Kind.RAPID if what == RAPID else said[what]), z
 
     def further(self) -> Hole | None:
-        """What further holes of the cycle are, by X and Y alone; None where each is to be looked at."""
+        """What further holes of the cycle are, by X and Y; None where each is to be looked at."""
         state, cycle = self._state, self._state.cycle
         if (
             cycle is None
@@ -287,7 +287,11 @@ class CycleReader:
         if self._level() != clear:
             return None
         down: list[tuple[Kind | str, float]] = [(Kind.RAPID, r)] if clear != r else []
-        return Hole(state.row[self._depth], clear, (*down, *self._steps(cycle, r, bottom, clear)))
+        words = {self._depth: cycle.z or 0.0, "R": cycle.r or 0.0}
+        if cycle.peck > 0.0 and not cycle.whole_peck:
+            words["Q"] = cycle.peck
+        steps_down = (*down, *self._steps(cycle, r, bottom, clear))
+        return Hole(state.row[self._depth], clear, steps_down, cycle.code // 10, words)
 
     def note_holes(self, number: int, holes: int = 1) -> None:
         """Note holes that are written out, from a line on."""

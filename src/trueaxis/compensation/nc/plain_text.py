@@ -1,5 +1,5 @@
 """The lines of a text that have only words that most blocks are made of, found and read all at once: N, codes of G,
-axes and I J K R, with F before or behind these, then a comment; or, without axes and centres, M and S besides.
+axes and I J K R Q, with F before or behind these, then a comment; or, without axes and centres, M and S besides.
 
 Bytes are sorted into classes; which classes may follow each other, and the order of letters, decides which lines are
 such. The digits of a number make a whole number, exact in doubles, which is divided once by a power of ten: that rounds
@@ -18,9 +18,9 @@ from trueaxis.compensation.dialects import is_marked
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.nc.lexer import LARGEST, active_comment
 
-LETTERS = "NGXYZABCIJKRFSM"  # in the order of words
+LETTERS = "NGXYZABCIJKRQFSM"  # in the order of words
 _DIGIT, _DOT, _SIGN, _BLANK, _RETURN, _NEWLINE, _N, _G, _X = range(1, 10)
-_R, _F, _S, _M = (_N + LETTERS.index(letter) for letter in "RFSM")
+_Q, _F, _S, _M = (_N + LETTERS.index(letter) for letter in "QFSM")
 _CLASSES = ("0123456789", ".", "+-", " \t", "\r", "\n", *(letter + letter.lower() for letter in LETTERS))
 _NUMBER, _SIZE = 9, 10  # of classes that may follow alike: letters of axes and centres, and F and S; M is as G
 _LINE_END = {_RETURN, _NEWLINE}
@@ -38,7 +38,7 @@ _FOLLOWS: dict[int, set[int]] = {
     _RETURN: {_NEWLINE},
 }
 _CLASS_OF = bytes(next((k for k, of in enumerate(_CLASSES, 1) if chr(byte) in of), 0) for byte in range(256))
-_ALIKE_OF = bytes(k if k < _X else _NUMBER if k <= _R else _G if k == _M else _SIZE for k in _CLASS_OF)
+_ALIKE_OF = bytes(k if k < _X else _NUMBER if k <= _Q else _G if k == _M else _SIZE for k in _CLASS_OF)
 _MAY_FOLLOW = bytes(pair % 16 in _FOLLOWS.get(pair // 16, ()) for pair in range(256))
 _MOST_DIGITS = np.array([0] * _N + [9, 2] + [15] * (_S - _G) + [2])  # by class; a whole number of 15 is a double
 _MOST_DOTS = np.array([0] * _X + [1] * (_S - _G) + [0])
@@ -55,8 +55,8 @@ class PlainText:
 
     source: its bytes. starts: (n + 1,), where lines begin, and where the last ends. plain: (n,), whether a line is as
     said; of those: code: G0 to G3, -1 where it has none, in the source from code_at to code_end; feed: F, NaN where it
-    has none; blank: whether there is a blank; returned: whether the line ends in CR LF; lead, tail: where the words of
-    axes and centres begin and end.
+    has none, in the source from feed_at to feed_end; blank: whether there is a blank; returned: whether the line ends
+    in CR LF; lead, tail: where the words of axes and centres begin and end.
     first: (n + 1,), at which of these words lines begin. Of the words, each (m,): line; letter, its place in LETTERS;
     value; decimals, digits behind the dot, -1 where there is none; place, end, in the source.
     modes, switches: other codes of G, and those of M.
@@ -69,6 +69,8 @@ class PlainText:
     code_at: NDArray[np.int64]
     code_end: NDArray[np.int64]
     feed: FloatArray
+    feed_at: NDArray[np.int64]
+    feed_end: NDArray[np.int64]
     blank: NDArray[np.bool_]
     returned: NDArray[np.bool_]
     lead: NDArray[np.int64]
@@ -128,7 +130,7 @@ def plain_text(
     ends = np.flatnonzero(kind == _NEWLINE)
     newline, line = place[ends], np.repeat(np.arange(ends.size), np.diff(ends, append=kind.size))
     marks = Marks(place, kind, line, *_numbers(signs, of, place))
-    words = np.flatnonzero((kind >= _X) & (kind <= _R))
+    words = np.flatnonzero((kind >= _X) & (kind <= _Q))
     each = np.bincount(line[words], minlength=ends.size)
 
     plain = np.ones(ends.size, dtype=bool)
@@ -197,12 +199,12 @@ def _misplaced(marks: Marks, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
     if not back.size:
         return bad
     this, before = kind[back], kind[back - 1]
-    word, at_rest = (this >= _X) & (this <= _R), ~moves[line[back]]
+    word, at_rest = (this >= _X) & (this <= _Q), ~moves[line[back]]
     fine = ((this == _G) & (before == _G)) | (at_rest & np.isin(this, (_G, _S, _M)))
-    fine |= word & (before <= _R)  # once each
-    fine |= word & (before == _F) & ((kind[back - 2] < _X) | (kind[back - 2] > _R))  # F before all of them
+    fine |= word & (before <= _Q)  # once each
+    fine |= word & (before == _F) & ((kind[back - 2] < _X) | (kind[back - 2] > _Q))  # F before all of them
     bad[back[~fine]] = True
-    again = np.flatnonzero(np.isin(line, line[back[word]]) & (kind >= _X) & (kind <= _R))
+    again = np.flatnonzero(np.isin(line, line[back[word]]) & (kind >= _X) & (kind <= _Q))
     _, first = np.unique(line[again] * np.int64(_CODES) + kind[again], return_index=True)
     bad[np.delete(again, first)] = True
     return bad
@@ -213,14 +215,18 @@ def _of_lines(marks: Marks, count: int) -> dict[str, Any]:
     kind, line, number = marks.kind, marks.line, marks.value
     feeds, codes = np.flatnonzero(kind == _F), np.flatnonzero(kind == _G)
     motions = codes[number[codes] < _MOTIONS]
-    feed, code, (code_at, code_end) = np.full(count, np.nan), np.full(count, -1), np.zeros((2, count), dtype=np.int64)
+    feed, code = np.full(count, np.nan), np.full(count, -1)
+    code_at, code_end, feed_at, feed_end = np.zeros((4, count), dtype=np.int64)
     feed[line[feeds]], code[line[motions]] = number[feeds], number[motions]
     code_at[line[motions]] = marks.place[motions] - 1
     code_end[line[motions]] = marks.place[motions] + marks.digits[motions]
+    feed_at[line[feeds]] = marks.place[feeds] - 1
+    feed_end[line[feeds]] = marks.begin[feeds] - 1 + marks.digits[feeds] + marks.dots[feeds]
     others = (codes[number[codes] >= _MOTIONS], np.flatnonzero(kind == _M))
     modes, switches = (Codes(line[at], number[at].astype(np.int64)) for at in others)
     return {
-        "code": code, "code_at": code_at, "code_end": code_end, "feed": feed, "modes": modes, "switches": switches
+        "code": code, "code_at": code_at, "code_end": code_end, "feed": feed, "feed_at": feed_at, "feed_end": feed_end,
+        "modes": modes, "switches": switches,
     }  # fmt: skip
 
 

@@ -15,18 +15,18 @@ from trueaxis.compensation.columns import BlockPlaces, PlainRun
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
-from trueaxis.compensation.nc.cycle_blocks import holes_alike, holes_run
 from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.modes import codes_in_force
 from trueaxis.compensation.nc.plain_text import LETTERS, PlainText, plain_text
 from trueaxis.compensation.nc.run_arcs import ArcReader
+from trueaxis.compensation.nc.run_holes import holes_alike, holes_run, several_words
 from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 FEWEST = 12  # blocks: below, arrays cost more than they save
 FEWEST_HOLES = 4
-_LAST_LINEAR, _LAST_AXIS = LETTERS.index("Z"), LETTERS.index("C")
+_LAST_LINEAR, _LAST_AXIS, _PECK = (LETTERS.index(letter) for letter in "ZCQ")
 
 
 class Run(NamedTuple):
@@ -57,7 +57,7 @@ class RunReader:
 
     def __init__(self, state: NcState, settings: Settings, frames: FrameReader, cycles: CycleReader) -> None:
         self._state, self._settings, self._frames, self._cycles = state, settings, frames, cycles
-        self._modes = codes.modes_on(settings.dialect)
+        self._modes = codes.modes_on(settings.dialect) | {code // 10 for code in codes.CYCLES}
         self._arcs = ArcReader(state, settings)
         self._known = all(axis in state.row for axis in LINEAR)
         self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in state.axes])
@@ -104,21 +104,22 @@ class RunReader:
 
     def _holes(self, number: int, first: int, end: int) -> Run | None:
         """The run of holes that begins at this line; end: of the plain lines there."""
-        state, lines, hole = self._state, self._read.lines, self._cycles.further()
-        last = (
-            holes_alike(lines, first, end, state, hole) if hole is not None and end - first >= FEWEST_HOLES else first
-        )
+        state, lines = self._state, self._read.lines
+        before = state.gap
+        if lines.blank[first] or several_words(lines, slice(first, first + 1))[0]:
+            state.gap = " " if lines.blank[first] else ""
+        hole = self._cycles.further() if end - first >= FEWEST_HOLES else None
+        last = end if hole is None else holes_alike(lines, first, end, state, hole)
         if hole is None or last - first < FEWEST_HOLES:
-            self._read.none_before = max(last, first + 1)
+            self._read.none_before, state.gap = max(last, first + 1), before
             return None
         moves, _ = self._motions(first, last)
         written, given = self._table(first, last, moves)
-        if lines.blank[first] or lines.lead[first] > lines.starts[first] or np.count_nonzero(written[:, 0]) > 1:
-            state.gap = " " if lines.blank[first] else ""
-        run = holes_run(
-            lines, first, last, number, (written, _positions(state, self._start(), written, given)), state, hole
-        )
+        feed, in_minutes = self._feed(first, last)
+        table = written, _positions(state, self._start(), written, given), in_minutes[moves]
+        run = holes_run(lines, first, last, number, table, state, hole)
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
+        state.feed = float(feed[-1])
         self._cycles.note_holes(number, int(moves.sum()))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
 
@@ -131,6 +132,7 @@ class RunReader:
         centred = np.zeros(moves.size, dtype=bool)
         centred[line[letter > _LAST_AXIS]] = True
         wrong = moves & ((motion < 0) | (centred != (motion > 1)) | (lines.returned[part] != lines.returned[first]))
+        wrong[line[letter == _PECK]] = True
         if rows := not_to_name(state):
             wrong[line[np.isin(letter, [LETTERS.index(state.axes[row]) for row in rows])]] = True
             plane = [state.row[axis] for axis in codes.PLANES[state.plane][:2]]
@@ -144,6 +146,8 @@ class RunReader:
         read = self._read
         end = int(read.others[np.searchsorted(read.others, first)])
         modes = read.lines.modes.of(first, end)
+        if not modes.number.size:
+            return end
         changing = np.flatnonzero(~np.isin(modes.number, [*self._in_force()]))
         return first + int(modes.line[changing[0]]) if changing.size else end
 
@@ -158,7 +162,9 @@ class RunReader:
         """Codes of modes that change nothing now."""
         selected = self._frames.selected
         system = {int(selected[1:])} if selected[1:].isdecimal() else set()
-        return codes_in_force(self._state) | codes.WITHOUT_MODE | system
+        cycle = self._state.cycle
+        drilling = {cycle.code // 10} if cycle is not None and cycle.code in codes.CYCLES else set()
+        return codes_in_force(self._state) | codes.WITHOUT_MODE | system | drilling
 
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
@@ -166,6 +172,12 @@ class RunReader:
         return np.diff(self._read.lines.first[first : last + 1]) > 0, _kept(
             code, code >= 0, -1 if before is None else before
         )
+
+    def _feed(self, first: int, last: int) -> tuple[FloatArray, FloatArray]:
+        """F in force in each of these lines; the same in mm/min or deg/min, NaN where it counts otherwise."""
+        state, given = self._state, self._read.lines.feed[first:last]
+        feed = _kept(given * (MM_PER_INCH if state.inch else 1.0), np.isfinite(given), state.feed)
+        return feed, feed if state.feed_mode == "minute" else np.full(feed.size, math.nan)
 
     def _run(self, number: int, first: int, last: int) -> Run | None:
         """The run of these lines, as far as their arcs are arcs."""
@@ -184,9 +196,7 @@ class RunReader:
                 return None
             last = int(index[right])
             index, motion, written, ends = index[:right], motion[:right], written[:, :right], ends[:, :right]
-        scale, minutes = MM_PER_INCH if state.inch else 1.0, state.feed_mode == "minute"
-        has_feed = np.isfinite(lines.feed[first:last])
-        feed = _kept(lines.feed[first:last] * scale, has_feed, state.feed)
+        feed, in_minutes = self._feed(first, last)
         several = lines.first[index + 1] - lines.first[index] > 1
         blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
         run = PlainRun(
@@ -194,7 +204,7 @@ class RunReader:
             inch=state.inch, blank=blank, eol="\r\n" if lines.returned[first] else "\n",
             source=lines.source[lines.starts[first] : lines.starts[last]], places=self._places(first, last, index),
             inserts=(motion > 1) & (lines.code[index] < 0), arcs=arcs,
-            feed=feed[index - first] if minutes else np.full(index.size, math.nan),
+            feed=in_minutes[index - first],
             held=state.commanded.held[state.absolute], elsewhere=state.commanded.elsewhere,
             unnamed=state.commanded.unnamed, shift=state.shift,
         )  # fmt: skip
