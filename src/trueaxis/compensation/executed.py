@@ -35,6 +35,8 @@ class Executed:
 
     def at_points(self, previous: FloatArray) -> FloatArray:
         """Positions (n_axes, n_points) where the path's points are reached or passed."""
+        if not self.passed.any():
+            return self.positions
         before = np.concatenate([previous[:, None], self.positions[:, :-1]], axis=1)
         there = np.where(self.passed, 0.5 * (before + self.positions), self.positions)
         last = np.append(np.diff(self.point) > 0, True)

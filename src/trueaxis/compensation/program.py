@@ -273,7 +273,8 @@ class Compensator:
         rotary = list(rotary_rows(model.axes))
         begin[rotary] = standing(begin[rotary], held[rotary], self._written[rotary])
         linear = solve(points, begin, model, self._tool_point, settings.tolerance, settings.method)
-        linear = replace(linear, commands=standing(linear.commands, held, self._written))
+        if held.any():
+            linear = replace(linear, commands=standing(linear.commands, held, self._written), left=None)
         if pose is not None:
             pose = replace(pose, commands=standing(pose.commands, held, self._written))
         return Solved(linear, pose)

@@ -95,6 +95,8 @@ class SignChecker:
         Feed motions come first, where the part is cut, and of them the ends, whose words are in the program.
         """
         since = np.where(left_out, 0.0, np.abs(np.nan_to_num(deviation - self._at_home)))
+        if since.max() <= min(self._largest):
+            return
         ends = np.diff(path.owner, append=-1) != 0
         for rank, mine in enumerate((~path.rapid & ends, ~path.rapid, path.rapid)):
             direction, point = np.unravel_index(np.argmax(since * mine), since.shape)

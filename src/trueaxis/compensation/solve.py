@@ -127,15 +127,19 @@ class Solution:
     """Commands before they become words.
 
     commands: (n_axes, n), mm and deg. target: (3, n), tool point wanted, workpiece frame, mm.
-    steps: (n,), corrections made. residual: (n,), length of the error left, mm. before: (n,), the same uncorrected.
-    converged: (n,); for the ordinary method true wherever the result is finite.
+    steps: (n,), corrections made. left: (3, n), error left, actual minus wanted, mm, None where the commands have been
+    changed since; residual: (n,), its length; before: (n,), the same uncorrected. deviation: (3, n), mm, of the
+    programmed positions, None where it did not begin there. converged: (n,); for the ordinary method true wherever the
+    result is finite.
     """
 
     commands: FloatArray
     target: FloatArray
     steps: NDArray[np.int64]
+    left: FloatArray | None
     residual: FloatArray
     before: FloatArray
+    deviation: FloatArray | None
     converged: NDArray[np.bool_]
 
 
@@ -156,8 +160,10 @@ def solve(
     last and the best command is kept. `ordinary`: one step.
     """
     target = model.ideal(programmed, tool_point)
-    commands = begin.copy()
-    error = target - _actual(commands, model, tool_point)
+    commands, begins_there = begin.copy(), np.array_equal(begin, programmed)
+    ideal = target if begins_there else model.ideal(begin, tool_point)
+    error = target - (ideal + model.deviation(begin, tool_point))
+    deviation = -error if begins_there else None
     before = _norm(error)
     best = before.copy()
     steps = np.zeros(before.size, dtype=np.int64)
@@ -184,7 +190,10 @@ def solve(
             steps[kept] += 1
         active[index] = better & (length > goal)
     converged = np.isfinite(best) & ((best <= goal) | (method == "ordinary"))
-    return Solution(commands=commands, target=target, steps=steps, residual=best, before=before, converged=converged)
+    return Solution(
+        commands=commands, target=target, steps=steps, left=-error, residual=best, before=before,
+        deviation=deviation, converged=converged,
+    )  # fmt: skip
 
 
 def _actual(positions: FloatArray, model: ErrorModel, tool_point: FloatArray) -> FloatArray:

@@ -8,18 +8,19 @@ from numpy.typing import NDArray
 from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.datum import FromDatum
-from trueaxis.compensation.elsewhere import Elsewhere, taken_back
+from trueaxis.compensation.elsewhere import Elsewhere
 from trueaxis.compensation.executed import Executed
 from trueaxis.compensation.logs import LineLog, Running
 from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.moves import Notes, Setup
 from trueaxis.compensation.nc.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
-from trueaxis.compensation.path import Held, Path, Places
+from trueaxis.compensation.path import Path, Places
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import SignChecker, senses_of
-from trueaxis.compensation.solve import Solved, ToolAxis, angle
+from trueaxis.compensation.solve import Solved, ToolAxis
+from trueaxis.compensation.tool_errors import NOTHING_KNOWN, Known, ToolErrors, tool_errors
 from trueaxis.compensation.tracker import EffectNote
 from trueaxis.compensation.used import datum_of, offsets_used, tools_used
 from trueaxis.compensation.word_choice import bar_error, length
@@ -101,35 +102,35 @@ class Tally:
         index = np.arange(path.size)
         model = placing.at(index, np.ones(path.size))
         written = done.at_points(previous)
-        target = solved.linear.target
-        deviation, _ = self._stage("before", model, path.points, path.points, lines, target=target)
+        known = Known(target=solved.linear.target, error=solved.linear.deviation)
+        before = self._errors(model, path.points, path.points, known)
+        self._note("before", before, lines)
         moved = np.where(held, 0.0, written - path.points)
         if self._settings.orientation == "keep":  # rotary words are rounded, and not corrected
             moved[list(rotary_rows(self._axes))] = 0.0
-        if self._controlled is None:
-            left_out = held.any(axis=0) | stopped | places.parking
-            self._sign.add(path, deviation + self._off, written, lines, left_out, self._off)
-            self.visited[self._setup].add(path.origins, path.points, moved)
-        else:
-            origins, points = (
-                self._controlled.axis_positions(p, self._tool_point) for p in (path.origins, path.points)
-            )
-            self.visited[self._setup].add(origins, points, moved)
         waiting = held.any(axis=0)
+        origins, points = path.origins, path.points
+        if self._controlled is None:
+            left_out = waiting | stopped | places.parking
+            self._sign.add(path, before.vectors + self._off, written, lines, left_out, self._off)
+        else:
+            origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
+        self.visited[self._setup].add(origins, points, moved)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
         if waiting.any():
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
-            self._stage(UNCOMMANDED, there, columns_of(written, rows), columns_of(path.points, rows), lines[rows])
+            waited = self._errors(there, columns_of(written, rows), columns_of(path.points, rows))
+            self._note(UNCOMMANDED, waited, lines[rows])
             if self._controlled is None:
                 self._elsewhere.add(placing, path, places, lines, self._tool_point)
         if (silent := parked | (waiting & path.rapid)).any():
             counted = index = index[~silent]
             model = placing.at(index, np.ones(index.size))
-        if index.size:
-            self._at_points(model, counted, path, solved, written, lines, places)
-        self._along(path, done, lines, previous, settled, placing, places)
+        after = self._at_points(model, counted, path, solved, written, lines, places) if index.size else None
+        at_ends = after if isinstance(counted, slice) and not done.passed.any() else None
+        self._along(path, done, lines, previous, settled, placing, places, at_ends)
 
     def _stopped(
         self, done: Executed, places: Places, lines: NDArray[np.int64]
@@ -166,16 +167,22 @@ class Tally:
         written: FloatArray,
         lines: NDArray[np.int64],
         places: Places,
-    ) -> None:
-        """Evaluate the programmed points that count."""
+    ) -> ToolErrors:
+        """Evaluate the programmed points that count: what is left there with the words."""
         points, at, free = columns_of(path.points, index), lines[index], columns_of(places.uncounted, index)
         target = columns_of(solved.linear.target, index)
-        self._stage("solved", model, columns_of(solved.commands, index), points, at, free, target)
-        error, turned = self._stage("after", model, columns_of(written, index), points, at, free, target)
-        self._over_tolerance.add(at[~(length(error) <= self._settings.tolerance)])
-        if solved.pose is not None and turned is not None:
+        known = Known(free=free, target=target)
+        left = solved.linear.left if solved.pose is None else None
+        commands = columns_of(solved.commands, index)
+        there = known if left is None else known._replace(error=columns_of(left, index))
+        self._note("solved", self._errors(model, commands, points, there), at)
+        after = self._errors(model, columns_of(written, index), points, known)
+        self._note("after", after, at)
+        self._over_tolerance.add(at[~(length(after.vectors) <= self._settings.tolerance)])
+        if solved.pose is not None and after.turned is not None:
             self._singular.add(at[solved.pose.singular[index]])
-            self._over_orientation.add(at[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
+            self._over_orientation.add(at[~(1e6 * after.turned <= self._settings.orientation_tolerance_urad)])
+        return after
 
     def _along(
         self,
@@ -186,52 +193,44 @@ class Tally:
         settled: bool,
         placing: Placing,
         places: Places,
+        at_ends: ToolErrors | None,
     ) -> None:
-        """Evaluate the middles and ends of the feed blocks."""
+        """Evaluate the middles and ends of the feed blocks; at_ends: what is left at the ends of all, where known."""
         fed = ~path.rapid[done.point]
         fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
         fed &= np.isfinite(path.origins[0])[done.point]
         fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
         index = slice(None) if fed.all() else np.flatnonzero(fed)
         point = done.point[index]
-        at_end, wanted_end = columns_of(done.positions, index), columns_of(done.reference, index)
-        executed = columns_of(np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1), index)
-        reference = columns_of(np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1), index)
-        middles = executed + 0.5 * (at_end - executed), reference + 0.5 * (wanted_end - reference)
-        at, free = lines[point], columns_of(places.uncounted, point)
-        for share, (there, wanted) in ((0.5, middles), (1.0, (at_end, wanted_end))):
-            self._stage("along", placing.at(point, np.full(point.size, share)), there, wanted, at, free)
+        executed, reference = (
+            columns_of(before + 0.5 * (end - before), index)
+            for before, end in (
+                (np.concatenate([previous[:, None], done.positions[:, :-1]], axis=1), done.positions),
+                (np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1), done.reference),
+            )
+        )
+        at, known = lines[point], Known(free=columns_of(places.uncounted, point))
+        halfway = placing.at(point, np.full(point.size, 0.5))
+        self._note("along", self._errors(halfway, executed, reference, known), at)
+        if at_ends is None:
+            there = placing.at(point, np.ones(point.size))
+            ends = columns_of(done.positions, index), columns_of(done.reference, index)
+            at_ends = self._errors(there, *ends, known)
+        else:
+            at_ends = at_ends.some(index)
+        self._note("along", at_ends, at)
 
-    def _stage(
-        self,
-        stage: str,
-        model: ErrorModel,
-        positions: FloatArray,
-        wanted: FloatArray,
-        lines: NDArray[np.int64],
-        free: Held | None = None,
-        target: FloatArray | None = None,
-    ) -> tuple[FloatArray, FloatArray | None]:
-        """Note where positions put the tool instead of where the error-free machine is at `wanted`.
+    def _errors(
+        self, model: ErrorModel, positions: FloatArray, wanted: FloatArray, known: Known = NOTHING_KNOWN
+    ) -> ToolErrors:
+        return tool_errors(model, self._axis, self._tool_point, positions, wanted, known)
 
-        free: (n_axes, n), linear axes of which nothing says where they are to be: what their motion would take back of
-        the error is left out. target: the tool points (3, n) of the error-free machine there, where they are known.
-        Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
-        """
-        if target is None:
-            target = model.ideal(wanted, self._tool_point)
-        ideal = target if positions is wanted else model.ideal(positions, self._tool_point)
-        error = ideal + model.deviation(positions, self._tool_point) - target
-        if free is not None and free.any():
-            error += taken_back(model, positions, error, free, self._tool_point)
-        self._vector[stage].add(length(error), lines)
+    def _note(self, stage: str, errors: ToolErrors, lines: NDArray[np.int64]) -> None:
+        self._vector[stage].add(length(errors.vectors), lines)
         if self._ball is not None:
-            self._bar[stage].add(bar_error(target, error, self._ball), lines)
-        if not self._axis.turns:
-            return error, None
-        turned = angle(self._axis.on(model).actual(positions), self._axis.wanted(wanted))
-        self._orientation[stage].add(1e6 * turned, lines)
-        return error, turned
+            self._bar[stage].add(bar_error(errors.target, errors.vectors, self._ball), lines)
+        if errors.turned is not None:
+            self._orientation[stage].add(1e6 * errors.turned, lines)
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int, notes: Notes) -> CompensationReport:
         """What has been counted so far."""
