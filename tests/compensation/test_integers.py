@@ -14,12 +14,26 @@ def shifted() -> XyzMachine:
     return XyzMachine({"EXX": lambda x: 0.02 + 0.0 * x})
 
 
-def test_they_are_a_fault_said_once(bench: Bench) -> None:
+def test_they_are_one_fault_with_the_lines_of_all(bench: Bench) -> None:
     with pytest.raises(InputError) as error:
-        bench.run("G21 G90\nG0 X0 Y0 Z0\nX100\nG1 Y100 F500\n", shifted())
+        bench.run("G21 G90\nG0 X0 Y0 Z0\nX100\nG1 Y50. F500\nY100\nX5.\nG3 X5. Y90. I0 J-5\n", shifted())
     assert len(error.value.faults) == 1
-    assert str(error.value.faults[0]).startswith("in.nc: line 3: X without a decimal point: X100 is 100 mm on some")
+    told = str(error.value.faults[0])
+    assert told.startswith("in.nc: lines 3, 5, 7: J X Y without a decimal point: X100 is 100 mm on some")
     assert "--integers" in error.value.faults[0].remedy
+    with pytest.raises(InputError, match="line 3: Y without a decimal point"):
+        bench.run("G21 G90\nG0 X0 Y0 Z0\nY100\n", shifted())
+
+
+def test_many_of_them_are_counted_and_hide_no_other_fault(bench: Bench) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run("G21 G90\nG0 X0. Y0. Z0.\n" + "X7\n" * 60 + "G16\n", shifted())
+    first, second = map(str, error.value.faults)
+    assert first.startswith(f"in.nc: lines {', '.join(map(str, range(3, 52)))} and 11 more: X without")
+    assert second.startswith("in.nc: line 63: G16 gives")
+
+
+def test_other_letters_without_a_point_are_a_fault(bench: Bench) -> None:
     with pytest.raises(InputError, match="I without"):
         bench.run("G0 X0. Y0. Z0.\nG3 X0. Y2. J1. I0\nG3 X0. Y0. I5 J-1.\n")
     with pytest.raises(InputError, match="without a decimal point"):

@@ -1,7 +1,7 @@
 """What is gathered while a program is read: faults, the first ones kept, lines, means and extremes of values."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -96,11 +96,42 @@ KEPT = 49  # with the count of all, 50 messages
 
 
 @dataclass(slots=True, kw_only=True)
+class Undotted:
+    """Blocks with numbers without a decimal point that may count two lengths: how many, the lines of the first `KEPT`,
+    and the letters of all.
+    """
+
+    blocks: int = 0
+    first: list[int] = field(default_factory=list)
+    letters: set[str] = field(default_factory=set)
+
+    def add(self, line: int, letters: set[str]) -> None:
+        """Take in a block."""
+        self.blocks += 1
+        self.letters |= letters
+        if self.blocks <= KEPT:
+            self.first.append(line)
+
+    def faults(self, file: str) -> Iterator[Fault]:
+        """One for all blocks: one option says what all the numbers count."""
+        if self.blocks:
+            more = f" and {self.blocks - KEPT} more" if self.blocks > KEPT else ""
+            yield Fault(
+                file,
+                f"line{'s' * (self.blocks > 1)} {', '.join(map(str, self.first))}{more}",
+                f"{' '.join(sorted(self.letters))} without a decimal point: X100 is 100 mm on some controls and 0.1 mm "
+                "on others",
+                "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
+            )
+
+
+@dataclass(slots=True, kw_only=True)
 class FaultLog:
     """Gathers the faults of a program by line, keeping the text of the first `KEPT` found: a program may be garbage
     of any length. unplaced: the first line from which on positions are not known, as it is not where the work offset's
-    zero is; None where they are known throughout. macros: blocks with macros and the like. reach: lowest and highest
-    position of each axis by letter; outside: how many blocks take it out of its travel.
+    zero is; None where they are known throughout. macros: blocks with macros and the like. undotted: one fault, whose
+    text is made once all its blocks are known. reach: lowest and highest position of each axis by letter; outside: how
+    many blocks take it out of its travel.
     """
 
     file: str
@@ -108,6 +139,7 @@ class FaultLog:
     kept: list[tuple[int, Fault]] = field(default_factory=list)
     unplaced: int | None = None
     macros: int = 0
+    undotted: Undotted = field(default_factory=Undotted)
     reach: dict[str, tuple[float, float]] = field(default_factory=dict)
     outside: Counter[str] = field(default_factory=Counter)
 
@@ -120,6 +152,15 @@ class FaultLog:
     def add_unplaced(self, line: int, problem: str, remedy: str) -> None:
         """Note a fault from which on positions are not known: what they would be is no fault of its own."""
         self.add(line, problem, remedy)
+        self._unplace(line)
+
+    def add_undotted(self, line: int, letters: set[str]) -> None:
+        """Note a block whose numbers may count two lengths: all such blocks are one fault."""
+        self.count += not self.undotted.blocks
+        self.undotted.add(line, letters)
+        self._unplace(line)
+
+    def _unplace(self, line: int) -> None:
         self.unplaced = line if self.unplaced is None else min(line, self.unplaced)
 
     def raise_if_any(self, first: Sequence[Fault] = ()) -> None:
@@ -128,7 +169,8 @@ class FaultLog:
         """
         if not self.count:
             return
-        found = [*first, *(fault for _, fault in sorted(self.kept, key=lambda entry: entry[0]))]
+        by_line = sorted(self.kept, key=lambda entry: entry[0])
+        found = [*first, *self.undotted.faults(self.file), *(fault for _, fault in by_line)]
         if self.count > KEPT:
             found.append(Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown"))
         raise InputError(found)

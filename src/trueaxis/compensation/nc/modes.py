@@ -35,7 +35,6 @@ class ModeReader:
 
     def __init__(self, state: NcState, settings: Settings, faults: FaultLog, notes: Notes) -> None:
         self._state, self._settings, self._faults, self._notes = state, settings, faults, notes
-        self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
 
     def mark(self, number: int, text: str) -> None:
         """A line that is empty or begins with %."""
@@ -117,14 +116,8 @@ class ModeReader:
             return
         if self._settings.undotted == "least-increment":
             meaning.count_in_least_increments(self._state.inch)
-        elif self._settings.undotted is None and not self._undotted_said:
-            self._undotted_said = True
-            letters = " ".join(sorted(meaning.undotted))
-            self._faults.add_unplaced(
-                number,
-                f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
-                "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
-            )
+        elif self._settings.undotted is None:
+            self._faults.add_undotted(number, meaning.undotted)
 
     def note_unsaid(self, number: int) -> None:
         """Note modes that the program has not stated before its first motion."""
