@@ -139,7 +139,7 @@ def test_what_the_user_vouches_for(tmp_path: Path, capsys: pytest.CaptureFixture
     program = "G21 G90\nG0 X400 Y350 Z100\nM110\nG1 X420 F1000\nM70\n"
     with pytest.raises(InputError) as error:
         command(tmp_path, program)
-    assert [fault.place for fault in error.value.faults] == ["line 2", "line 3", "line 5"]
+    assert [fault.place for fault in error.value.faults] == ["lines 2, 4", "line 3", "line 5"]
     assert command(tmp_path, program, "--integers", "mm", "--pass-m", "70,M110") == 0
     shown = capsys.readouterr().out
     assert "M110 passed, as --pass-m says" in shown

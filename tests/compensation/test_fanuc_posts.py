@@ -1,5 +1,6 @@
 """What posts for Fanuc controls write: G80 before a position, looking ahead, tapping, K0, parking at machine zero."""
 
+import json
 import re
 
 import numpy as np
@@ -274,12 +275,49 @@ def test_words_in_inch_have_the_decimals_that_the_control_reads(bench: Bench) ->
     for dialect, step, decimals in (("fanuc", None, 4), ("linuxcnc", None, 5), ("fanuc", 0.00001, 5)):
         text = bench.run(source, paper_sized(3.0), dialect=dialect, offsets=G54, inch_resolution=step).decode()
         assert {len(found) for found in re.findall(r"[XYZ]-?\d+\.(\d+)", text)} == {decimals}
-    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54)
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, tolerance=0.001)
     assert "words of 0.0001 inch are up to 2.2 um off, more than the tolerance" in bench.told
     assert "a finer --inch-resolution where the control reads it, or --tolerance 0.0022" in " ".join(bench.told.split())
     assert not bench.report.good
-    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, tolerance=0.0025)
+
+
+INCHES = "".join(f"X{n / 7:.4f} Y{n / 11:.4f} Z{n / 13:.4f}\n" for n in range(9, 60))
+
+
+def test_the_tolerance_is_one_step_of_the_words_unless_it_is_stated(bench: Bench) -> None:
+    """Words of 0.0001 inch are 2.2 um off by rounding, as those of 0.001 mm are 0.9 um."""
+    source = f"G20 G90 G54\nG0 X1. Y1. Z0.\nG1 X2. F9.\n{INCHES}"
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54)
+    after = bench.report.after
+    assert after is not None
+    assert 0.001 < after.largest <= 0.0022  # what rounding leaves
     assert bench.report.good
+    assert "resolution 0.0001 inch, tolerance 0.00254 mm" in bench.told
+    assert "--inch-resolution 0.00001 is finer, where the control reads it (IS-C)" in bench.told
+    assert json.loads(bench.report.to_json())["settings"]["tolerance"] == 0.00254
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, inch_resolution=0.001)
+    assert not bench.report.good  # coarser words than the control's are no reason for a larger one
+    bench.run(source, paper_sized(3.0), dialect="linuxcnc", offsets=G54)
+    assert bench.report.good
+    assert "resolution 1e-05 inch, tolerance 0.001 mm" in bench.told
+    assert "IS-B" not in bench.told
+    bench.run(source, paper_sized(3.0), offsets=G54)
+    assert "a control that reads four (IS-B of Fanuc and the like) rounds them" in bench.told
+
+
+def test_each_unit_of_a_program_has_its_tolerance(bench: Bench) -> None:
+    source = f"G20 G90 G54\nG0 X1. Y1. Z0.\nG1 X2. F9.\n{INCHES}G21\n{INCHES}"
+    bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, resolution=0.003)
+    first = source[: source.index("G21")].count("\n") + 1
+    assert bench.report.over_tolerance.points > 10
+    assert min(bench.report.over_tolerance.first) > first
+
+
+def test_arcs_of_a_program_in_inch_stay_arcs(bench: Bench) -> None:
+    source = "G20 G90 G54\nG0 X2. Y1. Z1.\nG3 X0. Y3. I-2. J0. F9.\n"
+    text = bench.run(source, paper_sized(3.0), dialect="fanuc", offsets=G54, arcs="keep").decode()
+    assert len(re.findall("G3 X", text)) >= 1
+    assert "G1" not in text
 
 
 def test_an_arc_stays_one_while_z_was_never_commanded(bench: Bench) -> None:

@@ -104,7 +104,8 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
 def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
     """How well the tool is to follow, and in which words."""
     parser.add_argument("--tolerance", type=float, default=default.tolerance, metavar="MM",
-                        help="largest tool point error allowed (default %(default)s)")  # fmt: skip
+                        help="largest tool point error allowed (default 0.001; 0.00254 for words of 0.0001 "
+                        "inch, which are one step)")  # fmt: skip
     parser.add_argument("--resolution", type=float, default=default.resolution, metavar="MM",
                         help="step of words written in mm (default %(default)s)")  # fmt: skip
     parser.add_argument("--inch-resolution", type=float, default=default.inch_resolution, metavar="INCH",

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.columns import Arcs, columns_of
 from trueaxis.compensation.machine import LINEAR, FloatArray, rotary_rows
-from trueaxis.compensation.settings import Settings
 
 LARGEST_SWEEP = math.pi / 2.0  # rad of a piece: its ends determine it well, by I J K and by R, and it is no full circle
 FEWEST_CHORDS = 3  # fewer are as short as lines
@@ -82,13 +81,13 @@ def arc_blocks(
     previous: FloatArray | None,
     steps: FloatArray,
     axes: tuple[str, ...],
-    settings: Settings,
+    allowed: FloatArray,
 ) -> ArcBlocks:
     """Join points of arcs to arcs where they lie on some.
 
     owner: (n,), move of each point, ascending. written, wanted: (n_axes, n), as the words name them and before
     rounding, mm and deg. previous: (n_axes,), position named by the words before; None: it is not certain. steps:
-    (n_axes, n), of words.
+    (n_axes, n), of words. allowed: (n,), largest distance of each point from where it is wanted, mm.
     """
     ends = np.ones(owner.size, dtype=bool)
     if not set(LINEAR) <= set(axes) or not arcs.kept.any():
@@ -99,7 +98,7 @@ def arc_blocks(
     arcs, first, last = _joinable(arcs, owner, table, previous is not None, list(rotary_rows(axes)))
     joiner = _Joiner(
         arcs, table[rows], np.concatenate([start[rows, None], wanted[rows]], axis=1), steps[rows[0], first],
-        SHARE * settings.tolerance,
+        SHARE * allowed[first],
     )  # fmt: skip
     pieces = joiner.joined(_quarters(arcs, first, last))
     found = pieces.some(np.argsort(pieces.at))
@@ -139,8 +138,12 @@ class _Joiner:
     the midst of one.
     """
 
-    def __init__(self, arcs: Arcs, written: FloatArray, wanted: FloatArray, step: FloatArray, limit: float) -> None:
-        """written, wanted: (3, m); step: (k,), of the words of the centre, mm; limit: largest distance allowed, mm."""
+    def __init__(
+        self, arcs: Arcs, written: FloatArray, wanted: FloatArray, step: FloatArray, limit: FloatArray
+    ) -> None:
+        """written, wanted: (3, m); step: (k,), of the words of the centre, mm; limit: (k,), largest distance allowed,
+        mm.
+        """
         self._arcs, self._written, self._wanted, self._step, self._limit = arcs, written, wanted, step, limit
         self._rows = plane_rows(arcs.normal)
         self._sense = np.where(np.take_along_axis(arcs.normal, self._rows[2:], axis=0)[0] > 0.0, 1.0, -1.0)
@@ -185,7 +188,7 @@ class _Joiner:
             )
             places, inside = _on_arc(start, end, centre, sense, aims, of)
             distance = np.sqrt(((places - aims) ** 2).sum(axis=0))
-            good = np.logical_and.reduceat(inside & (distance <= self._limit), begin)
+            good = np.logical_and.reduceat(inside & (distance <= self._limit[pieces.of[of]]), begin)
         kept = good[of]
         self.placed[columns_of(rows, of[kept]), point[kept]] = columns_of(places, kept)
         self.inner = np.concatenate([self.inner, point[kept]])

@@ -15,17 +15,18 @@ from trueaxis.compensation.moves import Kind, Move
 Held = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Places:
     """What is known of where axes stand, each (n_axes, n_points): held, axes that got no word although compensation
     would move them; elsewhere, axes that may stand anywhere; unnamed, linear axes that the program has not moved yet.
-    parking: (n_points,), rapids in machine coordinates (G53).
+    parking: (n_points,), rapids in machine coordinates (G53). allowed: (n_points,), largest tool point error, mm.
     """
 
     held: Held
     elsewhere: Held
     unnamed: Held
     parking: NDArray[np.bool_]
+    allowed: FloatArray
 
     @property
     def uncounted(self) -> Held:

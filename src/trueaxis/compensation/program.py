@@ -82,12 +82,12 @@ class Compensator:
     def _comparison(self) -> Along:
         settings = self._settings
         if self._turned is None:
-            return PointAlong(self._model.axes, self._tool_point, settings.tolerance)
+            return PointAlong(self._model.axes, self._tool_point, settings.aim)
         return PoseAlong(
             model=self._model,
             tool_point=self._tool_point,
             tool_axis=self._turned,
-            tolerance=settings.tolerance,
+            tolerance=settings.aim,
             orientation_tolerance=1e-6 * settings.orientation_tolerance_urad,
         )
 
@@ -135,7 +135,7 @@ class Compensator:
         row = self._model.axes.index("Z")
         if hole.begins:
             self._level = float(self._written[row])
-        self._tally.hole(hole.line, found)
+        self._tally.hole(hole.line, found, hole.inch)
         self._tally.units("inch" if hole.inch else "mm")
         if self._changes is not None:
             self._changes.add(np.full(3, hole.line), found.programmed, found.words)
@@ -198,7 +198,11 @@ class Compensator:
         note_held(moves, waiting, axes, self._notes)
         held, waiting = columns_of(held, of), columns_of(waiting, of)
         parking = moves.in_machine[of] & path.rapid
-        places = Places(waiting, columns_of(moves.elsewhere, of), columns_of(moves.unnamed, of), parking)
+        allowed = np.where(inch, settings.allowed(True), settings.allowed(False))
+        places = Places(
+            held=waiting, elsewhere=columns_of(moves.elsewhere, of), unnamed=columns_of(moves.unnamed, of),
+            parking=parking, allowed=allowed,
+        )  # fmt: skip
         shift = columns_of(moves.shift, of)
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         self._tally.units(*(unit for unit, some in (("inch", inch.any()), ("mm", not inch.all())) if some))
@@ -217,7 +221,7 @@ class Compensator:
         before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
             moves.arcs if self._arcs_stay else NO_ARCS, path.owner[done.point], done.positions,
-            solved.linear.commands, before, columns_of(steps, done.point), axes, settings,
+            solved.linear.commands, before, columns_of(steps, done.point), axes, allowed[done.point],
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
         if self._changes is not None:
@@ -267,12 +271,12 @@ class Compensator:
         if self._turned is not None:
             pose = solve_pose(
                 points, model, self._tool_point, self._turned,
-                settings.tolerance, 1e-6 * settings.orientation_tolerance_urad, settings.method,
+                settings.aim, 1e-6 * settings.orientation_tolerance_urad, settings.method,
             )  # fmt: skip
         begin = rotary_on_words(points if pose is None else pose.commands, kinds, self._written, model.axes)
         rotary = list(rotary_rows(model.axes))
         begin[rotary] = standing(begin[rotary], held[rotary], self._written[rotary])
-        linear = solve(points, begin, model, self._tool_point, settings.tolerance, settings.method)
+        linear = solve(points, begin, model, self._tool_point, settings.aim, settings.method)
         if held.any():
             linear = replace(linear, commands=standing(linear.commands, held, self._written), left=None)
         if pose is not None:

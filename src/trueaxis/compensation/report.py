@@ -159,11 +159,16 @@ class CompensationReport:
         return tuple(name for name, found in kinds if found)
 
     @property
+    def tolerance(self) -> float:
+        """The largest tool point error allowed, mm: the smallest where words are in mm and in inch."""
+        return min((self.settings.allowed(unit == "inch") for unit in self.units), default=self.settings.aim)
+
+    @property
     def over_range(self) -> bool:
         """Whether points may be above the tolerance at work offsets within the ranges given."""
         largest = 0.0 if self.after is None else self.after.largest
         return any(
-            one.change is not None and (one.leaves_travel or largest + one.change > self.settings.tolerance)
+            one.change is not None and (one.leaves_travel or largest + one.change > self.tolerance)
             for one in self.offsets
         )
 
@@ -172,9 +177,7 @@ class CompensationReport:
         """Whether points of feed motions may be above the tolerance, as axes may stand anywhere in their travel."""
         largest = 0.0 if self.after is None else self.after.largest
         feeds = self.unnamed_feeds
-        return feeds is not None and feeds.anywhere is not None and largest + feeds.anywhere.largest > (
-            self.settings.tolerance
-        )  # fmt: skip
+        return feeds is not None and feeds.anywhere is not None and largest + feeds.anywhere.largest > self.tolerance
 
     @property
     def refused(self) -> bool:
@@ -182,8 +185,9 @@ class CompensationReport:
         return self.reliance is not None and self.reliance.refused
 
     def to_json(self) -> str:
-        """The report as JSON; `settings.start` as an object of axis positions."""
+        """The report as JSON; `settings.start` as an object of axis positions, `settings.tolerance` as it was taken."""
         tree = asdict(self)
+        tree["settings"]["tolerance"] = self.tolerance
         tree["settings"]["start"] = dict(self.settings.start)
         tree["settings"]["assumed"] = dict(self.settings.assumed)
         return json.dumps({"schema": 1, "good": self.good, **tree}, indent=1) + "\n"

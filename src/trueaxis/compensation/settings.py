@@ -20,6 +20,7 @@ Integers = Literal["mm", "least-increment"]
 Language = Literal["nc", "apt"]
 
 MM_PER_INCH = 25.4
+TOLERANCE = 0.001  # mm, where none is stated: one step of words in mm
 _MOST = {
     "tolerance": 1.0, "resolution": 1.0, "inch_resolution": 1.0, "rotary_resolution": 1.0, "chord_tolerance": 1.0,
     "peck_return": 100.0,
@@ -33,7 +34,8 @@ WHOLE_MILLIMETRES = frozenset({"linuxcnc", "siemens", "heidenhain"})  # controls
 class Settings:
     """Lengths mm, angles deg.
 
-    tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation.
+    tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation; None: one step of the words,
+    see `allowed`.
     resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written; inch_resolution
     None: what controls of the dialect read, see `inch_step`.
     chord_tolerance: largest distance of an arc from the chords that replace it.
@@ -60,7 +62,7 @@ class Settings:
     Raises ValueError when a value is out of its range.
     """
 
-    tolerance: float = 0.001
+    tolerance: float | None = None
     resolution: float = 0.001
     inch_resolution: float | None = None
     rotary_resolution: float = 0.0001
@@ -102,6 +104,18 @@ class Settings:
         return self.integers or ("mm" if self.dialect in WHOLE_MILLIMETRES else None)
 
     @property
+    def aim(self) -> float:
+        """The tolerance by which points are solved and lines are cut, whatever words can name."""
+        return TOLERANCE if self.tolerance is None else self.tolerance
+
+    def allowed(self, inch: bool) -> float:
+        """Largest tool point error of points with words in inch, or in mm. Where no tolerance is stated, words of the
+        least increment of IS-B in inch are within it by rounding alone, as those of 0.001 mm are; coarser ones are not.
+        """
+        step = min(self.inch_step, LEAST_INCH) * MM_PER_INCH if inch and self.tolerance is None else 0.0
+        return max(self.aim, step)
+
+    @property
     def inch_step(self) -> float:
         """Step of words in inch: least increments of IS-B where the control is Fanuc's, finer elsewhere."""
         if self.inch_resolution is not None:
@@ -117,7 +131,8 @@ class Settings:
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""
         for name, most in _MOST.items():
-            value = self.inch_step if name == "inch_resolution" else getattr(self, name)
+            derived = {"inch_resolution": self.inch_step, "tolerance": self.aim}
+            value = derived[name] if name in derived else getattr(self, name)
             if not (math.isfinite(value) and 0.0 < value <= most):
                 yield f"{name} is {value:g}; it must be above 0 and at most {most:g}"
             elif name.endswith("resolution"):

@@ -145,15 +145,17 @@ class Tally:
         self._parked.add(lines[parked])
         return stopped, parked
 
-    def hole(self, line: int, found: Drilled) -> None:
-        """A hole of a cycle that stays one: what holds at its middle counts, the rest of its depth is told apart."""
+    def hole(self, line: int, found: Drilled, inch: bool) -> None:
+        """A hole of a cycle that stays one: what holds at its middle counts, the rest of its depth is told apart; inch:
+        whether its words are in inch.
+        """
         lines = np.full(3, line)
         self._moves += 1
         self._points += 1
         self._vector["before"].add(length(found.before), lines)
         after = length(found.error)
         self._vector["after"].add(after[[MIDDLE]], lines[:1])
-        self._over_tolerance.add(lines[:1][~(after[[MIDDLE]] <= self._settings.tolerance)])
+        self._over_tolerance.add(lines[:1][~(after[[MIDDLE]] <= self._settings.allowed(inch))])
         self._holes.add(after[[TOP, BOTTOM]].max(keepdims=True), lines[:1])
         origins = np.full_like(found.programmed, np.nan)
         self.visited[self._setup].add(origins, found.programmed, found.words - found.programmed)
@@ -178,7 +180,7 @@ class Tally:
         self._note("solved", self._errors(model, commands, points, there), at)
         after = self._errors(model, columns_of(written, index), points, known)
         self._note("after", after, at)
-        self._over_tolerance.add(at[~(length(after.vectors) <= self._settings.tolerance)])
+        self._over_tolerance.add(at[~(length(after.vectors) <= places.allowed[index])])
         if solved.pose is not None and after.turned is not None:
             self._singular.add(at[solved.pose.singular[index]])
             self._over_orientation.add(at[~(1e6 * after.turned <= self._settings.orientation_tolerance_urad)])

@@ -31,10 +31,11 @@ Tools = AnyPath | Mapping[int, Tool | float]
 class CompensationSettings(TypedDict, total=False):
     """Further arguments of `compensate`, as the options of `trueaxis compensate`; mm and deg, defaults in brackets.
 
-    tolerance: largest tool point error allowed (0.001); resolution, rotary_resolution, inch_resolution (inch):
-    steps of the words that are written (0.001, 0.0001, 0.00001; 0.0001 for "fanuc"); chord_tolerance: of an arc
-    from its chords (0.0005); arcs: "keep" or "chords"; method: "iterative" or "ordinary"; words: "nearest", "ends"
-    or "middles", which need ball: the centre of the workpiece ball, workpiece frame. orientation: "keep" or
+    tolerance: largest tool point error allowed (0.001; 0.00254 for words of 0.0001 inch); resolution,
+    rotary_resolution, inch_resolution (inch): steps of the words that are written (0.001, 0.0001, 0.00001; 0.0001 for
+    "fanuc"); chord_tolerance: of an arc from its chords (0.0005); arcs: "keep" or "chords"; method: "iterative" or
+    "ordinary"; words: "nearest", "ends" or "middles", which need ball: the centre of the workpiece ball, workpiece
+    frame. orientation: "keep" or
     "correct", to orientation_tolerance_urad (2), of tool_axis: its direction, tool frame (0, 0, 1). start: axis
     positions before the first block, those known. temperature (degC), time (s): for effects that depend on them.
     block_delete: motions in / blocks are a "fault", "run", or to "skip"; dialect: "fanuc", "linuxcnc", "siemens" or

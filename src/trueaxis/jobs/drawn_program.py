@@ -134,7 +134,7 @@ def _compensated(
     placed: Placed, positions: FloatArray, tool: FloatArray, settings: Settings
 ) -> tuple[FloatArray, FloatArray]:
     """Commands, (n_axes, n), and by how much an error-free machine misses the programmed point with them, (3, n)."""
-    commanded = solve(positions, positions, placed, tool, settings.tolerance).commands
+    commanded = solve(positions, positions, placed, tool, settings.aim).commands
     return commanded, placed.ideal(commanded, tool) - placed.ideal(positions, tool)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from trueaxis.compensation.elsewhere import NEAR, OffsetUse, UnknownPlaces, UnnamedFeeds
 from trueaxis.compensation.logs import Lines
 from trueaxis.compensation.report import CompensationReport, Errors, Failure
-from trueaxis.compensation.settings import MM_PER_INCH
+from trueaxis.compensation.settings import LEAST_INCH, MM_PER_INCH
 from trueaxis.compensation.sign_check import Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
 
@@ -53,16 +53,40 @@ def compensation_text(report: CompensationReport) -> str:
             "note: rapids in machine coordinates (G53) stop at the end of travel: "
             f"{_points(report.parked_at_end)}; nothing is cut there, and they count as no fault"
         )
-    lines.extend(f"note: {note}" for note in report.notes)
+    lines.extend(f"note: {note}" for note in (*_inch_words(report), *report.notes))
     lines.append(_senses(report.senses))
     if report.sign_check is not None:
         lines.append(sign_check_text(report.sign_check))
     steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(report.iterations) if n)
-    lines.append(
-        f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, tolerance "
-        f"{settings.tolerance:g} mm; corrections made: {steps}"
-    )
+    lines.append(f"method {settings.method}, words {settings.words}, {_resolution(report)}; corrections made: {steps}")
     return "\n".join(lines)
+
+
+def _resolution(report: CompensationReport) -> str:
+    """The steps of words and the tolerances, in each unit that is written."""
+    settings, found = report.settings, []
+    for unit in report.units or ("mm",):
+        step = settings.inch_step if unit == "inch" else settings.resolution
+        found.append(f"resolution {step:.7g} {unit}, tolerance {settings.allowed(unit == 'inch'):g} mm")
+    return ", ".join(found)
+
+
+def _inch_words(report: CompensationReport) -> list[str]:
+    """What the decimals of words in inch rely on, where no option says how many the control reads."""
+    settings = report.settings
+    if "inch" not in report.units or settings.inch_resolution is not None:
+        return []
+    if settings.inch_step >= LEAST_INCH:
+        return [
+            f"words of {settings.inch_step:g} inch, and the tolerance is one step of them ({report.tolerance:g} mm) "
+            "unless --tolerance states it; --inch-resolution 0.00001 is finer, where the control reads it (IS-C)"
+        ]
+    if settings.dialect is None:
+        return [
+            "words in inch have five decimals: a control that reads four (IS-B of Fanuc and the like) rounds them, "
+            f"which is up to 2.2 um off; --inch-resolution {LEAST_INCH:.4f} then writes and judges what it reads"
+        ]
+    return []
 
 
 def _errors(report: CompensationReport) -> list[str]:
@@ -124,7 +148,7 @@ def _coarse_words(report: CompensationReport) -> list[str]:
     for inch in (False, True):
         step, unit = (settings.inch_step, "inch") if inch else (settings.resolution, "mm")
         off = 0.5 * math.sqrt(3.0) * step * (MM_PER_INCH if inch else 1.0)
-        if off > settings.tolerance and unit in report.units:
+        if off > settings.allowed(inch) and unit in report.units:
             finer = "--inch-resolution" if inch else "--resolution"
             found.append(
                 f"words of {step:g} {unit} are up to {1e3 * off:.1f} um off, more than the tolerance: it cannot be "

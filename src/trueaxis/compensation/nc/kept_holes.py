@@ -36,7 +36,7 @@ def drilled(hole: KeptHole, model: ErrorModel, tool_point: FloatArray, settings:
     row = model.axes.index("Z")
     programmed = np.repeat(np.array(hole.bottom)[:, np.newaxis], 3, axis=1)
     programmed[row] = [hole.top, 0.5 * (hole.top + hole.bottom[row]), hole.bottom[row]]
-    solved = solve(programmed, programmed, model, tool_point, settings.tolerance, settings.method).commands
+    solved = solve(programmed, programmed, model, tool_point, settings.aim, settings.method).commands
     depth = solved[row].copy()
     commands = np.repeat(solved[:, [MIDDLE]], 3, axis=1)
     commands[row] = depth
