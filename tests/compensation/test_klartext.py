@@ -14,6 +14,7 @@ from tests.compensation.control import without_mark
 from tests.compensation.klartext_control import KlartextControl
 from tests.compensation.path_distance import apart, sampled
 from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.nc.g_codes import ROUNDS
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
@@ -193,6 +194,29 @@ def test_retracting_loses_the_position(tmp_path: Path) -> None:
         assert "Z" in lines[at + 2]
         with pytest.raises(InputError, match="the position of Z is not known"):
             compensated(tmp_path, f"{HEAD}{retract}\nL X+50 F100\nEND PGM T MM\n")
+
+
+def notes_of(tmp_path: Path, text: str) -> list[str]:
+    """The notes of a program with these blocks behind its head."""
+    (tmp_path / "in.h").write_text(f"{HEAD}{text}END PGM T MM\n")
+    report = compensate_file(tmp_path / "in.h", tmp_path / "out.h", MACHINE, Settings(offsets=OFFSETS, tools=TOOLS))
+    return list(report.notes)
+
+
+def test_a_path_tolerance_of_the_control_is_noted_once(tmp_path: Path) -> None:
+    cycle = "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:0 TA0.5\n"
+    found = [note for note in notes_of(tmp_path, f"L X+50 F100\n{cycle}L X+60\n") if "tolerance" in note]
+    assert found == [f"line {HEAD.count(chr(10)) + 2}: CYCL DEF 32 (tolerance): {ROUNDS}"]
+
+
+def test_a_feed_motion_without_a_feed_is_noted(tmp_path: Path) -> None:
+    first = HEAD.count("\n") + 1
+    for blocks, line in (
+        ("L X+50\nL X+60\n", first), ("L X+50 FMAX\nCR X+60 Y+0 R+40 DR+\n", first + 1), ("L X+50 F100\nL X+60\n", 0),
+        ("L X+50 FAUTO\nL X+60\n", 0), ("L X+50 F AUTO\n", 0), ("L X+50 FMAX\nL X+60 FMAX\n", 0),
+    ):  # fmt: skip
+        found = [note.partition(":")[0] for note in notes_of(tmp_path, blocks) if "no F above 0" in note]
+        assert found == ([f"line {line}"] if line else []), blocks
 
 
 def test_a_tool_by_its_name_is_that_of_its_number(tmp_path: Path) -> None:

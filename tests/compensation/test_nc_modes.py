@@ -95,3 +95,29 @@ def test_modes_that_are_not_stated_are_noted(bench: Bench, said: str, missing: l
     found = [note for note in bench.report.notes if "before this motion" in note]
     assert len(found) == len(missing)
     assert all(note.startswith(f"line 1: no {mode}") for note, mode in zip(found, missing, strict=True))
+
+
+UNFED = "no F above 0 before this feed motion"
+MANY = "".join(f"X{n}.\n" for n in range(40))  # taken together where they are plain
+
+
+@pytest.mark.parametrize(
+    ("program", "line"),
+    [
+        ("G0 X0. Y0. Z0.\nG1 X1.\nX2.\n", 2),
+        ("G0 X0. Y0. Z0.\n" + MANY + "G1\n" + MANY, 43),
+        ("G0 X0. Y0. Z0.\n" + MANY + "G1 X1. F0.\n" + MANY, 42),
+        ("G0 X0. Y0. Z0.\n" + MANY + "G1 X1. F100.\n" + MANY, 0),
+        ("G0 X0. Y0. Z0.\n" + MANY + "F100.\nG1\n" + MANY, 0),
+        ("G0 X0. Y0. Z0.\n" + MANY, 0),
+        ("G0 X0. Y0. Z0.\nG3 X2. I1. J0.\n", 2),
+        ("G0 X0. Y0. Z9.\nG81 X1. Y1. Z-3. R2.\n", 2),
+        ("G0 X0. Y0. Z0.\nG1 X1. F9.\nG95\nX2.\nX3. F0.1\n", 4),
+        ("G0 X0. Y0. Z0.\nG93 G1 X1. F9.\nX2. F9.\n", 0),
+    ],
+)
+def test_a_feed_motion_without_a_feed_is_noted_once(bench: Bench, program: str, line: int) -> None:
+    """LinuxCNC, Fanuc and SINUMERIK stop at such a block."""
+    bench.run("G21 G90 " + program)
+    found = [note for note in bench.report.notes if UNFED in note]
+    assert found == ([f"line {line}: {found[0][found[0].index(UNFED) :]}"] if line else [])

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.lexer import NUMBER, decimal_comma, decimals_of
 from trueaxis.compensation.settings import Settings
@@ -59,6 +60,11 @@ class KlartextBlock(NamedTuple):
     others: tuple[str, ...] = ()
     comment: str = ""
     problem: str = ""
+
+    @property
+    def feeds(self) -> bool:
+        """Whether it says at which feed: by F, or by FAUTO that of the TOOL CALL."""
+        return any(word[0] in "Ff" for word in self.others) and not self.rapid
 
 
 def head_of(body: str) -> tuple[str, str, str]:
@@ -165,14 +171,15 @@ _LATER = frozenset({
 })  # fmt: skip
 # cycles that change the frame unless all their values are 0 (11: 1)
 _FRAMES = {8: "mirrors", 10: "turns the coordinates", 11: "scales", 26: "scales", 19: "tilts the plane"}
-_DATUM, _PRESET = 7, 247
+_DATUM, _PRESET, _TOLERANCE = 7, 247, 32
+_NOTES = {_TOLERANCE: f"CYCL DEF {_TOLERANCE} (tolerance): {codes.ROUNDS}"}
 _WRITTEN_OUT = "have its motions written out as L and C"
 
 
 class Other(NamedTuple):
     """What a block asks for. shift: axes and values of a shift of the datum, added where their letter is in added;
     reset: no shift any more; preset: a point of the preset table; point_control: of the tool, on or off; ends: whether
-    the program ends here; stops: whether the operator may act here. problem, remedy: of a fault.
+    the program ends here; stops: whether the operator may act here. note: a remark. problem, remedy: of a fault.
     """
 
     shift: Mapping[str, float] = MappingProxyType({})
@@ -182,6 +189,7 @@ class Other(NamedTuple):
     point_control: bool | None = None
     ends: bool = False
     stops: bool = False
+    note: str = ""
     problem: str = ""
     remedy: str = ""
 
@@ -190,7 +198,10 @@ def other_block(text: str) -> Other:
     """What a block does that is no path function and no TOOL CALL; text: its lines joined, no number, no comment."""
     text = text.strip()
     if cycle := _CYCLE.match(text):
-        return _cycle(int(cycle[1]), cycle[3].strip(), text)
+        begins = int(cycle[2] or 0) == 0
+        return _cycle(int(cycle[1]), cycle[3].strip(), text)._replace(
+            note=_NOTES.get(int(cycle[1]), "") if begins else ""
+        )
     if halt := re.match(r"(END PGM)|STOP\b", text, re.IGNORECASE):
         return Other(ends=bool(halt[1]), stops=not halt[1])
     if match := re.fullmatch(r"TRANS DATUM (RESET|AXIS[ \t]+(.*))", text, re.IGNORECASE):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from trueaxis.compensation.arcs import Arc, ArcError
 from trueaxis.compensation.dialects import BYTE_ORDER_MARK, COMPENSATED_ALREADY, is_marked
-from trueaxis.compensation.klartext.arcs import arc_of, as_arc, polar_end, pole_of
+from trueaxis.compensation.klartext.arcs import arc_of, as_arc, pole_of
 from trueaxis.compensation.klartext.blocks import (
     MACHINE_COORDINATES,
     PRESET,
@@ -21,6 +21,7 @@ from trueaxis.compensation.klartext.blocks import (
     other_block,
     too_long,
 )
+from trueaxis.compensation.klartext.ends import POLAR, ends_of
 from trueaxis.compensation.klartext.tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ROTARY
@@ -30,16 +31,15 @@ from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import Meaning
-from trueaxis.compensation.nc.modes import switch
+from trueaxis.compensation.nc.modes import note_unfed, switch
 from trueaxis.compensation.nc.motion import in_its_frame
-from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
+from trueaxis.compensation.nc.state import NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.offsets import NOT_KNOWN
 from trueaxis.compensation.settings import Settings
 
 _POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
 _ARCS = frozenset({"C", "CR", "CP"})
-_POLAR = frozenset({"LP", "CP"})
 
 
 class KlartextReader:
@@ -121,6 +121,8 @@ class KlartextReader:
             rows[row] = value * state.scale(axis) + (frames.local[row] if axis in found.added else 0.0)
         if rows:
             frames.shift_locally(rows, shared=False)
+        if found.note:
+            self._notes.add(number, found.note)
         if found.stops:
             self._stop(number)
         if found.ends:
@@ -141,8 +143,7 @@ class KlartextReader:
             self._notes.add(number, PRESET)
 
     def _switch(self, number: int, control: bool | None) -> list[Item]:
-        lost = switch(number, control, self._state, self._settings, self._faults, self._notes)
-        if lost:
+        if lost := switch(number, control, self._state, self._settings, self._faults, self._notes):
             self._pole = {}
         return [*lost, *self._frames.changed()]
 
@@ -171,10 +172,12 @@ class KlartextReader:
         known_codes(number, block, self._settings, self._faults, self._notes)
         state = self._state
         item: Item = text
-        control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
-        items = self._switch(number, control)
+        items = self._switch(
+            number, next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
+        )
         if block.feed is not None:
             state.feed = block.feed * (2.54 if state.inch else 1.0)
+        state.fed = state.fed or block.feeds
         if not block.problem and block.verb == "CC":
             try:
                 self._pole = pole_of(block, state)
@@ -217,38 +220,11 @@ class KlartextReader:
             if machine:
                 state.enter_frame()
 
-    def _ends(self, number: int, block: KlartextBlock) -> tuple[list[float | None], set[str]]:
-        """Positions after a block, and the axes that it names."""
-        state = self._state
-        end, named = state.position.copy(), set()
-        coordinates = block.coordinates
-        if block.verb in _POLAR:
-            for axis, value in polar_end(block, self._pole, state).items():
-                end[state.row[axis]] = value
-                named.add(axis)
-        for axis, word in coordinates.items():
-            if axis in ("PR", "PA"):
-                continue
-            if axis not in state.row:
-                self._faults.add(
-                    number, f"{axis}: this machine has no axis {axis}", f"its axes are {' '.join(self._axes)}"
-                )
-                continue
-            row, value, before = state.row[axis], word.value * state.scale(axis), state.position[state.row[axis]]
-            if word.incremental:
-                if before is None or state.commanded.of([row]) < Commanded.ABSOLUTE:
-                    raise ArcError(f"I{axis} counts from where {axis} stands, which is not certain here")
-                end[row] = before + value
-            else:
-                end[row] = value + (state.shift[row] if state.shift else 0.0)
-            named.add(axis)
-        return end, named
-
     def _move(self, number: int, text: str, block: KlartextBlock, machine: bool) -> Move | None:
         state = self._state
         circular = block.verb in _ARCS
         start = state.position
-        end, named = self._ends(number, block)
+        end, named = ends_of(number, block, self._pole, state, self._faults)
         if circular:
             named |= {"X", "Y"}
         motion = 0 if block.rapid and not circular else 1
@@ -259,6 +235,8 @@ class KlartextReader:
             return None
         if not machine:
             self._frames.note_first(number)
+        if motion:
+            note_unfed(number, state, self._notes)
         commands = tuple(axis in named for axis in self._axes)
         elsewhere = starts_elsewhere(number, state, commands, "", self._faults)
         known_end = tuple(self._assumed[row] if value is None else value for row, value in enumerate(end))
@@ -278,7 +256,7 @@ class KlartextReader:
         motion: int, arc: Arc | None, elsewhere: bool, whole: str, straight: bool,
     ) -> Move:  # fmt: skip
         state = self._state
-        written = tuple(axis in block.coordinates or (block.verb in _POLAR and axis in "XY") for axis in self._axes)
+        written = tuple(axis in block.coordinates or (block.verb in POLAR and axis in "XY") for axis in self._axes)
         eol = text[len(text.rstrip("\r\n")) :]
         again = f"{block.head}{block.optional}"
         lead = f"{again}L "

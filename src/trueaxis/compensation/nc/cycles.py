@@ -66,7 +66,7 @@ class CycleReader:
         if problem := self._problem(cycle, named, meaning):
             self._faults.add(number, *problem)
             return [line]
-        self._modes.note_unsaid(number)
+        self._modes.note_unsaid(number, feeds=True)
         self._frames.note_first(number)
         if self._repeats(meaning) == 0:
             return self._stored(number, line, body, block, meaning, again)

@@ -15,6 +15,10 @@ from trueaxis.compensation.nc.lexer import Meaning, decimals_of
 from trueaxis.compensation.nc.state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Integers, Settings
 
+UNFED = (
+    "no F above 0 before this feed motion: a control on which none is in force from before stops here (LinuxCNC: "
+    "zero feed rate; Fanuc: alarm 011; SINUMERIK: alarm 10860)"
+)
 GROUP_01 = "G80 ends the cycle: G{}, which was in force before it, is in force again"
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 
@@ -92,9 +96,10 @@ class ModeReader:
     def _feed(self, meaning: Meaning) -> None:
         state = self._state
         if meaning.feed_mode and meaning.feed_mode != state.feed_mode:
-            state.feed_mode, state.feed = meaning.feed_mode, math.nan
+            state.feed_mode, state.feed, state.fed = meaning.feed_mode, math.nan, meaning.feed_mode == "time"
         if meaning.feed is not None:
             state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
+            state.fed = state.fed or state.feed > 0.0
 
     @property
     def rounds(self) -> bool:
@@ -119,12 +124,21 @@ class ModeReader:
         elif self._settings.undotted is None:
             self._faults.add_undotted(number, meaning.undotted)
 
-    def note_unsaid(self, number: int) -> None:
-        """Note modes that the program has not stated before its first motion."""
+    def note_unsaid(self, number: int, feeds: bool) -> None:
+        """Note modes that the program has not stated before its first motion; feeds: whether the block moves at F."""
+        if feeds:
+            note_unfed(number, self._state, self._notes)
         if not self._state.moved:
             for mode, text in MODE_NOTES.items():
                 if mode not in self._state.said:
                     self._notes.add(number, text)
+
+
+def note_unfed(number: int, state: NcState, notes: Notes) -> None:
+    """Note the first feed motion without F."""
+    if not state.fed:
+        state.fed = True
+        notes.add(number, UNFED)
 
 
 def codes_in_force(state: NcState) -> set[int]:

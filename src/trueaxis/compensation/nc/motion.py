@@ -84,7 +84,7 @@ class MotionReader:
         if missing := missing_axes(state, start, end, moved):
             self._unknown(number, missing, end)
             return None
-        self._modes.note_unsaid(number)
+        self._modes.note_unsaid(number, feeds=bool(state.motion))
         commands = tuple(axis in moved for axis in self._axes)  # an arc puts both axes of its plane where it ends
         own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
         elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)

@@ -223,6 +223,7 @@ def plain_move(number: int, line: str, match: re.Match[str], state: NcState, und
         or state.cycle is not None
         or (x is None and y is None and z is None)
         or (feed is not None and float(feed) > LARGEST)
+        or (motion == 1 and not state.fed)
     ):
         return None
     position = state.position.copy()

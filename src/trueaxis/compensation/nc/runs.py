@@ -137,6 +137,8 @@ class RunReader:
             wrong[line[np.isin(letter, [LETTERS.index(state.axes[row]) for row in rows])]] = True
             plane = [state.row[axis] for axis in codes.PLANES[state.plane][:2]]
             wrong |= moves & (motion > 1) & bool(set(plane) & set(rows))
+        if not state.fed:  # the first feed motion without F is noted
+            wrong |= moves & (motion > 0) & ~np.logical_or.accumulate(lines.feed[part] > 0.0)
         begins_otherwise = lines.code[first] < 0 and state.motion in (0, 1) and state.in_force != state.motion
         wrong[0] |= not moves[0] or begins_otherwise
         return first + int(np.argmax(wrong)) if wrong.any() else last
@@ -249,6 +251,7 @@ class RunReader:
         if motions.size and first + motions[-1] > moved:
             state.motion = state.in_force = int(lines.code[first + motions[-1]])
         state.gap, state.moved, state.feed = " " if run.blank[-1] else "", True, feed
+        state.fed = state.fed or feed > 0.0
         last_end = run.ends[:, -1].tolist()
         state.position = [None if before is None else end for before, end in zip(state.position, last_end, strict=True)]
         spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in m_codes.SPINDLE]

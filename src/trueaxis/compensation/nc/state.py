@@ -152,7 +152,7 @@ class NcState:
     M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
     last block that shows it. lost: rows of axes that were once where the program does not say. path: path mode, for
     LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to be noted at the next
-    motion.
+    motion. fed: whether F is above 0, or it has been noted that it is not.
     """
 
     axes: tuple[str, ...]
@@ -180,6 +180,7 @@ class NcState:
     path: PathMode = field(default_factory=PathMode)
     point_control: bool = False
     due: bool = False
+    fed: bool = False
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
