@@ -26,6 +26,7 @@ class SiemensControl(Motions):
         self.selected = self.spindle = 0
         self.motion, self.absolute = 0, True
         self.ended = False
+        self.called: list[float] = []  # by MCALL, as written: where a hole begins, its bottom, where it ends
 
     def run(self, program: str) -> "SiemensControl":
         for line in program.splitlines():
@@ -41,6 +42,13 @@ class SiemensControl(Motions):
             return
         if re.match(r"(ROT|SCALE|MIRROR)\s*$", text):
             self.program = [0.0] * 3
+            return
+        if match := re.match(r"(MCALL\b)?\s*(?:CYCLE8[12]\((.*)\))?\s*$", text):
+            hole = self.hole_of(match[2]) if match[2] else []
+            if match[1]:
+                self.called = hole
+            else:
+                self.drill(hole)
             return
         if not re.search(r"[AI]C\(", text):
             text = re.sub(r"[A-Z_]{2,}\(.*?\)|[MS]\d+=\d+", "", text)
@@ -62,6 +70,17 @@ class SiemensControl(Motions):
             {name: (way, value * self.unit) for name, way, value in words if name in "XYZIJK" or name == "CR"}, machine
         )
         self.ended |= any(name == "M" and value in (2.0, 30.0) for name, _, value in words)
+
+    def hole_of(self, arguments: str) -> list[float]:
+        """CYCLE81, CYCLE82: retraction, reference plane, clearance, depth or depth below the reference plane."""
+        given = [float(text) if text.strip() else 0.0 for text in [*arguments.split(","), ""]]
+        depth = given[3] if arguments.split(",")[3].strip() else given[1] - abs(given[4])
+        return [given[1] + abs(given[2]), depth, given[0]]
+
+    def drill(self, hole: Sequence[float]) -> None:
+        """By rapid to the clearance, at the feed to the depth, by rapid back; modes are as before."""
+        for value, rapid in zip(hole, (True, False, True), strict=True):
+            self.move([[*self.at[:2], value * self.unit + self.origin(2, False)]], rapid)
 
     def code(self, value: float) -> None:
         if value in (0.0, 1.0, 2.0, 3.0):
@@ -93,6 +112,11 @@ class SiemensControl(Motions):
                 end[row] = value + self.origin(row, machine) if absolute else self.at[row] + value
         if not any(axis in words for axis in "XYZ") and not any(letter in words for letter in "IJ"):
             return
+        self.path(words, end, machine)
+        if self.called:
+            self.drill(self.called)
+
+    def path(self, words: Mapping[str, tuple[str, float]], end: list[float], machine: bool) -> None:
         if self.motion < 2:
             self.move([end], self.motion == 0)
             return

@@ -90,6 +90,56 @@ def test_a_program_of_the_language_is_right_along_the_path(tmp_path: Path) -> No
     assert re.search(r"N80 G1 X[\d.-]+ Y[\d.-]+ Z-\d\.\d+ F=500|N80 G1 [XYZ .\d-]+ F=500", written)
 
 
+HOLES = """\
+%_N_HOLES_MPF
+N10 G17 G71 G90 G54
+N20 T5 M6
+N30 D1
+N40 TRANS X=10 Y20
+N50 G0 X100 Y20 Z50 S3000 M3
+N60 F300
+N70 MCALL CYCLE82(50,-1.5,2,-20.5,,0.5) ; drill
+N80 X=100 Y=20
+N90 G1 X150 M8
+N100 X150 Y60
+N110 G91 X=10
+N120 G90 X=IC(-5) Y100
+N130 MCALL
+N140 G1 Z45
+N150 G0 Y130
+N160 CYCLE81(40, 10, 1.5, , 7.25, , 0, 1, 12)
+N170 G1 X10
+N180 MCALL CYCLE81(41, 10, 1.5, 2)
+N190 G2 X20 Y130 CR=5
+N200 M30
+"""
+
+
+def test_drilling_cycles_that_are_called_are_written_out(tmp_path: Path) -> None:
+    assert dialect_of(HOLES[HOLES.index("N70") :]) == "siemens"
+    written = compensated(tmp_path, HOLES, dialect=None)
+    before, after = largest_error(HOLES, written)
+    assert before > 0.01
+    assert after < ALONG
+    lines = written.splitlines()
+    assert "; N70 MCALL CYCLE82(50,-1.5,2,-20.5,,0.5) ; drill" in lines
+    assert sum(line.startswith("G4 F0.5") for line in lines) == 5
+    assert not any(line.lstrip("N0123456789 ").startswith(("CYCLE", "MCALL CYCLE")) for line in lines)
+    control = SiemensControl([0.0, 0.0, 0.0], FRAMES, LENGTHS).run(HOLES)
+    assert sum(len(run) == 2 and abs(run[0][2] - run[1][2]) > 9 for run in control.runs) > 5
+
+
+def test_a_called_cycle_keeps_the_switch_of_its_block_and_a_last_line_without_an_end(tmp_path: Path) -> None:
+    source = "G71 G90 G54\nT5 M6\nD1\nG0 X0 Y0 Z10\nF100\nMCALL CYCLE81(10,0,2,-3)\n/X50\nX60"
+    written = compensated(tmp_path, source, block_delete="run")
+    lines = written.splitlines()
+    at = next(n for n, line in enumerate(lines) if line.startswith("/X50") or line.startswith("/X49"))
+    assert all(line.startswith("/G") for line in lines[at + 1 : at + 4])
+    before, after = largest_error(source.replace("/", ""), written.replace("/", ""))
+    assert before > after
+    assert after < ALONG
+
+
 HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
 
 
@@ -110,8 +160,17 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("AROT Z10", "turns the coordinates"),
         ("MIRROR X0", "mirrors"),
         ("SCALE X2 Y2", "scales"),
-        ("CYCLE81(10,0,2,-20)", "CYCLE81 is a cycle or a subprogram"),
-        ("MCALL CYCLE81(10,0,2,-20)", "calls a cycle at every position"),
+        ("CYCLE81(10,0,2,R1)", "the argument 'R1' is no number"),
+        ("CYCLE81(10,0,2)", "without RTP, RFP and one of DP and DPR"),
+        ("CYCLE81(10,0,2,-20,20)", "without RTP, RFP and one of DP and DPR"),
+        ("CYCLE81(1,0,2,-20)", "RTP not above it"),
+        ("CYCLE82(10,0,2,-20,,1,10,0,10)", "with a mode"),
+        ("CYCLE82(10,0,2,-20,,1,0,0,11)", "with a mode"),
+        ("CYCLE83(10,0,2,-20)", "CYCLE83 is a cycle or a subprogram"),
+        ("MCALL CYCLE83(10,0,2,-20)", "CYCLE83 is a cycle or a subprogram"),
+        ("MCALL CYCLE81(10,0,2,-20) X5", "beside other words"),
+        ("MCALL CYCLE81(10,0,2,-20)\nSUPA G0 X5", "machine coordinates, or the end"),
+        ("G93 G1 X1 F9\nCYCLE81(10,0,2,-20)", "a cycle under G93"),
         ("CYCLE800(1)", "tilts the plane"),
         ("G1 X5,5", "a decimal comma: write a decimal point"),
         ("POCKET3(50,0,1)", "POCKET3 is a cycle or a subprogram"),

@@ -13,7 +13,7 @@ _KLARTEXT = re.compile(r"(?im)^[ \t]*(?:\d+[ \t]+)?BEGIN[ \t]+PGM[ \t]+\S+[ \t]+
 _SIEMENS = re.compile(
     r"(?im)^[ \t]*(?:%_N_\w+_(?:MPF|SPF)\b|;\$PATH=)|"
     r"^[ \t]*(?:N\d+[ \t]*)?(?:(?:G0?[0123]|G17)[ \t]+)?"
-    r"(?:[^;(\n]*\bCR[ \t]*=|A?TRANS[ \t]+[XYZ]|A?TRANS[ \t]*$|TRAORI\b|CYCLE8\d+[ \t]*\(|MSG[ \t]*\(|"
+    r"(?:[^;(\n]*\bCR[ \t]*=|A?TRANS[ \t]+[XYZ]|A?TRANS[ \t]*$|TRAORI\b|(?:MCALL[ \t]+)?CYCLE8\d+[ \t]*\(|MSG[ \t]*\(|"
     r"[XYZ][ \t]*=[ \t]*[-+.\dAI])"
 )
 # Fanuc and the like, milling: control of the tool point, tilted planes, further offsets, looking ahead, macros

@@ -42,6 +42,21 @@ class Cycle:
         return self.peck >= (self.r if self.absolute else 0.0) - self.z
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrillingCall:
+    """A cycle that a SINUMERIK program calls, lengths as written, in the frame in force. code: of the canned cycle
+    (times ten) with the same motions in a hole, 0: no modal call from here on. top: where the feed begins; clear: where
+    it ends; dwell: the words of G4, empty for none; modal: whether it is called after each block that moves.
+    """
+
+    code: int
+    top: float = 0.0
+    bottom: float = 0.0
+    clear: float = 0.0
+    dwell: str = ""
+    modal: bool = False
+
+
 def peck_in_doubt(cycle: Cycle, settings: Settings) -> bool:
     """Whether Q may count least increments where other whole numbers count mm, as on some Fanuc controls."""
     whole = cycle.whole_peck and settings.undotted == "mm" and settings.dialect != "linuxcnc"

@@ -8,6 +8,7 @@ from trueaxis.compensation.machine import ROTARY
 from trueaxis.compensation.moves import Split
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.canned_cycle import DrillingCall
 from trueaxis.compensation.nc.g_codes import EXACT_STOP
 from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 
@@ -16,14 +17,10 @@ from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
 _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
 _MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO\d*+|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
-
-
 LARGEST = 1e9  # of a word's number: what is more is no machine's
 # LinuxCNC runs such a comment as Python, which may do anything
 _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
 _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
-
-
 _COMMA = re.compile(r"\d,\d")
 _CORNER = re.compile(r",[ \t]*+[RC]", re.IGNORECASE)
 _NAME = re.compile(r"[A-Za-z_]{2}\w*+:?")
@@ -136,9 +133,10 @@ class Meaning:
     look_ahead: a code (times ten) of looking ahead, 0: none. turns: whether P counts turns of an arc (LinuxCNC).
     point_control: whether it switches tool centre point control on or off.
     ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
-    would be no shift; notes: remarks on the block. unknown: a G code that is none of those known.
-    tool: the T word, as `T2`; tool_name: of a tool that is called by its name. changes_tool: whether the block may
-    change the tool, see tool_changes. in_spindle: the tool that it says to be in the spindle (M61 of LinuxCNC).
+    would be no shift; call: a cycle that is called; notes: remarks on the block. unknown: a G code that is none of
+    those known. tool: the T word, as `T2`; tool_name: of a tool that is called by its name. changes_tool: whether the
+    block may change the tool, see tool_changes. in_spindle: the tool that it says to be in the spindle (M61 of
+    LinuxCNC).
     """
 
     motion: int | None = None
@@ -176,6 +174,7 @@ class Meaning:
     turns: bool = False
     ways: dict[str, bool] = field(default_factory=dict)
     frame: str = ""
+    call: DrillingCall | None = None
     unknown: str = ""
     notes: list[str] = field(default_factory=list)
     complaints: list[tuple[str, str]] = field(default_factory=list)
@@ -204,7 +203,7 @@ class Meaning:
         shifts = self.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}
         ends = not m_codes.END.isdisjoint(self.miscellaneous)
         said = self.system or shifts or self.feed_mode or ends or self.at_initial_level is not None
-        return self.cancel_cycle or bool(said) or any(mode is not None for mode in modes)
+        return self.cancel_cycle or bool(said or self.call) or any(mode is not None for mode in modes)
 
     def count_in_least_increments(self, inch: bool) -> None:
         """Take numbers without a decimal point as multiples of the least increment."""

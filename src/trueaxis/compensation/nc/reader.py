@@ -19,6 +19,7 @@ from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.block import interpret
+from trueaxis.compensation.nc.called_cycles import CallReader
 from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
@@ -65,6 +66,7 @@ class NcReader:
         self._motions = MotionReader(
             self._state, settings, (faults, notes), (self._modes, self._tools, self._frames)
         )  # fmt: skip
+        self._calls = CallReader(self._state, settings, (faults, notes), self._frames)
         self._cycles = CycleReader(self._state, settings, (faults, notes), self._modes, self._frames)
 
     def items(self, texts: Iterable[str]) -> Iterator[Item | PlainRun]:
@@ -169,8 +171,11 @@ class NcReader:
             self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
         if meaning.data_code is not None or meaning.drilling:
             items += self._data(number, line, body, block, meaning, again)
+        elif meaning.call is not None:
+            items += self._calls.take(number, line, body, meaning.call, again)
         else:
             items += self._motions.block(number, line, body, block, meaning, again)
+            items += self._calls.after(number, line, body, meaning, again)
         if meaning.changes_tool and self._tools.moves(meaning):  # after the motion too: controls do not agree on it
             state.commanded.displace()
         stops = m_codes.STOPS.intersection(meaning.miscellaneous)

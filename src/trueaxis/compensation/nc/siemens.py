@@ -7,6 +7,14 @@ from typing import NamedTuple
 
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
+from trueaxis.compensation.nc.drilling_call import (
+    DRILLING,
+    END_OF_CALLS,
+    MODAL,
+    PLAIN_ARGUMENTS,
+    CallError,
+    drilling_call,
+)
 from trueaxis.compensation.nc.lexer import (
     LARGEST,
     NUMBER,
@@ -146,7 +154,7 @@ _FAULTY = {
     "POLY": "is a polynomial", "CYCLE800": "tilts the plane", "TOFRAME": "turns the coordinates",
     "TRANSMIT": "interpolates on the face",
     "TRACYL": "interpolates on a cylinder", "TRAANG": "slants an axis",
-    "MCALL": "calls a cycle at every position", "DIAMON": "reads diameters", "DIAM90": "reads diameters",
+    "DIAMON": "reads diameters", "DIAM90": "reads diameters",
     "CUT3DC": "compensates the cutter's radius", "CUT3DF": "compensates the cutter's radius",
     "G290": "changes the language", "G291": "changes the language",
     "IF": "is a branch", "ELSE": "is a branch", "ENDIF": "is a branch", "FOR": "is a loop", "WHILE": "is a loop",
@@ -174,12 +182,31 @@ _WRITTEN_OUT = "have its motions written out as G0, G1, G2 and G3"
 
 def take_functions(found: SiemensBlock, meaning: Meaning) -> None:
     """Take in the keywords of a block before its words; complaints go into its meaning."""
-    for function in found.functions:
+    functions = list(found.functions)
+    if any(function.name in (*DRILLING, MODAL) for function in functions):
+        _call_cycle(found, meaning)
+        functions = [function for function in functions if function.name not in (*DRILLING, MODAL)]
+    for function in functions:
         _take(function, meaning)
         if function[0] in _DECLARES:
             break  # what follows are names
     for letter, way in found.ways.items():
         meaning.ways[letter] = way == ABSOLUTE_WAY
+
+
+def _call_cycle(found: SiemensBlock, meaning: Meaning) -> None:
+    """A cycle, called where the axes stand or after each block that moves, or the end of such calls."""
+    names = [function.name for function in found.functions]
+    modal = names[0] == MODAL
+    if any(word.letter != "N" for word in found.block.words) or len(names) > 1 + modal:
+        meaning.complain(f"{names[-1]} beside other words", "a block of its own")
+    elif len(names) == modal:
+        meaning.call = END_OF_CALLS
+    elif names[-1] in DRILLING:
+        try:
+            meaning.call = drilling_call(names[-1], found.functions[-1].arguments, modal)
+        except CallError as problem:
+            meaning.complain(str(problem), f"{PLAIN_ARGUMENTS}; or {_WRITTEN_OUT}")
 
 
 def _take(function: Function, meaning: Meaning) -> None:

@@ -12,7 +12,7 @@ from enum import IntEnum
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.moves import Start
-from trueaxis.compensation.nc.canned_cycle import Cycle
+from trueaxis.compensation.nc.canned_cycle import Cycle, DrillingCall
 from trueaxis.compensation.nc.frames import Frames
 from trueaxis.compensation.nc.lexer import FeedMode
 from trueaxis.compensation.nc.path_mode import PathMode
@@ -152,7 +152,8 @@ class NcState:
     M4 while it turns. shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the
     last block that shows it. lost: rows of axes that were once where the program does not say. path: path mode, for
     LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to be noted at the next
-    motion. fed: whether F is above 0, or it has been noted that it is not.
+    motion. fed: whether F is above 0, or it has been noted that it is not. call: the cycle that is called after each
+    block that moves.
     """
 
     axes: tuple[str, ...]
@@ -181,6 +182,7 @@ class NcState:
     point_control: bool = False
     due: bool = False
     fed: bool = False
+    call: DrillingCall | None = None
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
@@ -210,7 +212,7 @@ class NcState:
     def goes_on_plainly(self) -> bool:
         """Whether a block of axis words alone is a move, or a hole, from where all axes are known."""
         known = self.commanded.linear_complete and None not in self.position
-        return known and self.feed_mode != "time" and not self.ended and not self.due
+        return known and self.feed_mode != "time" and not (self.ended or self.due or self.call)
 
     @property
     def feed_in_minutes(self) -> float:
