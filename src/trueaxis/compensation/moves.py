@@ -63,7 +63,8 @@ class Move(NamedTuple):
     each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
     inverse_time: F where it is 1/min of the block (G93), else 0. round: how an arc is written where it may stay one.
-    in_machine: whether the block is in machine coordinates by itself (G53, SUPA, M91).
+    in_machine: whether the block is in machine coordinates by itself (G53, SUPA, M91). ways: for each axis DC, ACP or
+    ACN, as which its word is written (SINUMERIK), empty for none; empty if no axis has one.
     """
 
     line: int
@@ -91,6 +92,7 @@ class Move(NamedTuple):
     inverse_time: float = 0.0
     round: Round | None = None
     in_machine: bool = False
+    ways: tuple[str, ...] = ()
 
     def as_line(self) -> "Move":
         """The same, but straight."""

@@ -180,9 +180,15 @@ class BlockWriter:
         return "".join(word("IJK"[row], value) for row, value in sorted(centre))
 
     def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
+        formats = self._formats[move.inch]
+        if move.ways:
+            formats = [
+                (step, f"{form[0]}={way}({form[1:]})" if way else form)
+                for (step, form), way in zip(formats, move.ways, strict=True)
+            ]
         return move.gap.join(
             form % (count * step)
-            for (step, form), count, held, named in zip(self._formats[move.inch], counts, stay, written, strict=True)
+            for (step, form), count, held, named in zip(formats, counts, stay, written, strict=True)
             if named or not held
         )
 

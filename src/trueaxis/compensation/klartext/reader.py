@@ -33,6 +33,7 @@ from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import Meaning
 from trueaxis.compensation.nc.modes import note_unfed, switch
 from trueaxis.compensation.nc.motion import in_its_frame
+from trueaxis.compensation.nc.rotary_ways import take_codes, turned_round
 from trueaxis.compensation.nc.state import NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.offsets import NOT_KNOWN
@@ -172,6 +173,8 @@ class KlartextReader:
         known_codes(number, block, self._settings, self._faults, self._notes)
         state = self._state
         item: Item = text
+        before = state.position
+        take_codes(number, block.codes, bool(block.coordinates), state, self._faults)
         items = self._switch(
             number, next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
         )
@@ -185,6 +188,8 @@ class KlartextReader:
                 self._faults.add(number, str(problem))
         elif not block.problem and block.verb:
             item = self._moved(number, text, block) or text
+        if isinstance(item, Move):
+            items += turned_round(number, before, state, {}, self._faults)
         items += self._framed(item, text)
         if block.retracts:
             moved = LINEAR if set(ROTARY) & state.row.keys() else ("Z",)

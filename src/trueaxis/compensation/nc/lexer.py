@@ -132,11 +132,11 @@ class Meaning:
     times ten); drilling: whether its axis words are those of a cycle, with R in `data`; at_initial_level: G98, or G99.
     look_ahead: a code (times ten) of looking ahead, 0: none. turns: whether P counts turns of an arc (LinuxCNC).
     point_control: whether it switches tool centre point control on or off.
-    ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute. frame: why axis words beside a data_code
-    would be no shift; call: a cycle that is called; notes: remarks on the block. unknown: a G code that is none of
-    those known. tool: the T word, as `T2`; tool_name: of a tool that is called by its name. changes_tool: whether the
-    block may change the tool, see tool_changes. in_spindle: the tool that it says to be in the spindle (M61 of
-    LinuxCNC).
+    ways: for letters with `AC` or `IC` (SINUMERIK) whether they are absolute; turning: `DC`, `ACP` or `ACN`. frame:
+    why axis words beside a data_code would be no shift; call: a cycle that is called; notes: remarks on the block.
+    unknown: a G code that is none of those known. tool: the T word, as `T2`; tool_name: of a tool that is called by its
+    name. changes_tool: whether the block may change the tool, see tool_changes. in_spindle: the tool that it says to be
+    in the spindle (M61 of LinuxCNC).
     """
 
     motion: int | None = None
@@ -173,6 +173,7 @@ class Meaning:
     point_control: bool | None = None
     turns: bool = False
     ways: dict[str, bool] = field(default_factory=dict)
+    turning: dict[str, str] = field(default_factory=dict)
     frame: str = ""
     call: DrillingCall | None = None
     unknown: str = ""

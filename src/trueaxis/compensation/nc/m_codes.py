@@ -76,6 +76,7 @@ KNOWN_ON: dict[str, dict[int, MCode]] = {
         109: MCode("F at the contour of inside and outside arcs", Timing.BEFORE),
         110: MCode("F at the contour of inside arcs", Timing.BEFORE),
         111: MCode("end of M109 and M110", Timing.BEFORE),
+        126: MCode("rotary axes turn on the shorter way", Timing.BEFORE),
         127: MCode("rotary axes turn on the way that their positions give", Timing.BEFORE),
         137: MCode("end of M136", Timing.BEFORE),
     },
@@ -127,15 +128,15 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
     if code in KNOWN or code in KNOWN_ON.get(dialect or "", {}):
         return None
     harm = HARMFUL_ON.get(dialect or "", {}).get(code) or HARMFUL.get(code)
+    harmless = {control: codes[code].meaning for control, codes in KNOWN_ON.items() if code in codes and not dialect}
+    named = "".join(f"--dialect {control} if it is one; else " for control in harmless)
     if harm:
-        return f"M{code} {harm}", _remedy(harm, dialect)
+        return f"M{code} {harm}", f"say {named}{_remedy(harm, dialect)}" if named else _remedy(harm, dialect)
     if code in passed:
         return None
     known = [f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful]
-    harmless = {control: codes[code].meaning for control, codes in KNOWN_ON.items() if code in codes and not dialect}
     known += [f"{control}: {meaning}" for control, meaning in harmless.items()]
     said = f" ({'; '.join(known)})" if known else ""
-    named = "".join(f"--dialect {control} if it is one; else " for control in harmless)
     return (
         f"M{code} does not mean the same on every control{said}",
         f"say {named}--pass-m {code} if it moves no axis and changes no mode on this one",

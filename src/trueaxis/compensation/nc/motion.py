@@ -19,6 +19,7 @@ from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import REPLACED, Block, Meaning, block_text
 from trueaxis.compensation.nc.modes import ModeReader, half_unit_of
+from trueaxis.compensation.nc.rotary_ways import turned_round
 from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc.tool_codes import ToolReader
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
@@ -65,6 +66,7 @@ class MotionReader:
         """The move of a block in its frame, or its text if it has none; again: the switch of an optional block."""
         if meaning.in_machine_coordinates:
             self._state.enter_frame(machine=True)
+        before = self._state.position
         move = self._move(number, line, body, block, meaning, again)
         if meaning.in_machine_coordinates:
             self._state.enter_frame()
@@ -72,7 +74,10 @@ class MotionReader:
             return [line]
         words = [body[word.start : word.end] for word in block.words if word.letter in meaning.axes]
         text = move.source or f"{move.lead}{move.gap.join(words)}{move.tail}{move.eol}"
-        return in_its_frame(move, text, self._settings, self._frames, self._notes)
+        turned = turned_round(number, before, self._state, meaning.turning, self._faults)
+        if meaning.turning and self._settings.orientation == "correct":
+            self._faults.add(number, "DC, ACP or ACN with --orientation correct", "say --orientation keep")
+        return [*turned, *in_its_frame(move, text, self._settings, self._frames, self._notes)]
 
     def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
         if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
@@ -130,6 +135,7 @@ class MotionReader:
             state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.commanded.unnamed,
             state.shift, elsewhere, meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
             meaning.in_machine_coordinates,
+            tuple(meaning.turning.get(axis, "") for axis in self._axes) if meaning.turning else (),
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:

@@ -25,6 +25,7 @@ from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
 from trueaxis.compensation.nc.modes import ModeReader, switch
 from trueaxis.compensation.nc.motion import MotionReader, to_reference
+from trueaxis.compensation.nc.rotary_ways import take_codes
 from trueaxis.compensation.nc.runs import RunReader
 from trueaxis.compensation.nc.siemens import lex_siemens, take_functions
 from trueaxis.compensation.nc.state import NcState
@@ -161,6 +162,8 @@ class NcReader:
         for problem, remedy in meaning.complaints:
             self._faults.add(number, problem, remedy)
         self._modes.take(number, meaning)
+        if self._settings.dialect == "heidenhain":
+            take_codes(number, meaning.miscellaneous, meaning.positions, state, self._faults)
         self._tools.change(number, meaning)
         self._modes.known_numbers(number, meaning)
         self._tools.length(number, meaning)

@@ -271,7 +271,8 @@ def not_to_name(state: NcState) -> list[int] | None:
     name none of these; None where they are none even then.
     """
     found = state.commanded.below(Commanded.ABSOLUTE)
-    if state.feed_mode == "time" or state.ended or state.due or state.call or (state.point_control and found):
+    apart = state.ended or state.due or state.call or state.shorter_way
+    if state.feed_mode == "time" or apart or (state.point_control and found):
         return None
     unnamed = state.commanded.unnamed or (False,) * len(state.axes)
     for row, axis in enumerate(state.axes):

@@ -25,11 +25,12 @@ from trueaxis.compensation.nc.lexer import (
     decimal_comma,
     decimals_of,
 )
+from trueaxis.compensation.nc.rotary_ways import WAYS, problems_of
 
 _BLANK = re.compile(r"[ \t]++")
 _COMMENT = re.compile(r";.*+")
 _LABEL = re.compile(r"[A-Za-z_][A-Za-z0-9_]++:(?!=)[ \t]*+")
-_WAY = re.compile(rf"([XYZABCIJK])[ \t]*+=[ \t]*+(AC|IC)[ \t]*+\([ \t]*+({NUMBER})[ \t]*+\)", re.IGNORECASE)
+_WAY = re.compile(rf"([XYZABCIJK])[ \t]*+=[ \t]*+(AC|IC|DC|ACP|ACN)[ \t]*+\([ \t]*+({NUMBER})[ \t]*+\)", re.IGNORECASE)
 _ASSIGNED = re.compile(rf"(CR|[XYZABCIJKFSTDMN])[ \t]*+=[ \t]*+({NUMBER})(?![\w(*/+.$-])", re.IGNORECASE)
 _SPINDLE = re.compile(r"[MS][0-9]{1,2}[ \t]*+=[ \t]*+([0-9]++(?:\.[0-9]*+)?)(?![\w(*/+.$-])", re.IGNORECASE)
 _TOOL_NAME = re.compile(r'T[ \t]*+=[ \t]*+"([^"]*+)"', re.IGNORECASE)
@@ -52,7 +53,7 @@ _STATEMENT = re.compile(r"(?:R[0-9]++|\$\w++|[A-Za-z_]\w*+)[ \t]*+(?:\[[^\]]*+\]
 
 # a spindle's speed and direction: no axis; what a word with another spindle's number may say
 _SPINDLE_CODES = frozenset({"3", "4", "5", "03", "04", "05"})
-ABSOLUTE_WAY, INCREMENTAL_WAY = "AC", "IC"
+INCREMENTAL_WAY = "IC"
 TOOL_BY_NAME = "T="
 
 
@@ -64,7 +65,7 @@ class Function(NamedTuple):
 
 
 class SiemensBlock(NamedTuple):
-    """words: as of a `Block`; functions: keywords and calls; ways: AC or IC of words that have it."""
+    """words: as of a `Block`; functions: keywords and calls; ways: AC, IC, DC, ACP or ACN of words."""
 
     block: Block
     functions: tuple[Function, ...]
@@ -191,7 +192,12 @@ def take_functions(found: SiemensBlock, meaning: Meaning) -> None:
         if function[0] in _DECLARES:
             break  # what follows are names
     for letter, way in found.ways.items():
-        meaning.ways[letter] = way == ABSOLUTE_WAY
+        meaning.ways[letter] = way != INCREMENTAL_WAY
+        if way in WAYS:
+            meaning.turning[letter] = way
+            value = next(word.value for word in found.block.words if word.letter == letter)
+            if problem := problems_of(letter, way, value):
+                meaning.complain(*problem)
 
 
 def _call_cycle(found: SiemensBlock, meaning: Meaning) -> None:

@@ -153,7 +153,7 @@ class NcState:
     last block that shows it. lost: rows of axes that were once where the program does not say. path: path mode, for
     LinuxCNC. point_control: whether positions are those of the tip. due: whether something is to be noted at the next
     motion. fed: whether F is above 0, or it has been noted that it is not. call: the cycle that is called after each
-    block that moves.
+    block that moves. shorter_way: whether rotary axes turn on the shorter way (M126 of Heidenhain).
     """
 
     axes: tuple[str, ...]
@@ -183,6 +183,7 @@ class NcState:
     due: bool = False
     fed: bool = False
     call: DrillingCall | None = None
+    shorter_way: bool = False
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
