@@ -71,6 +71,52 @@ def test_a_rounded_corner_is_named(bench: Bench) -> None:
     assert "write the blocks that are run, in their order" in str(fault)
 
 
+def test_a_word_of_linuxcnc_is_one_fault(bench: Bench) -> None:
+    found = faults_of(bench, "G21 G90\nG0 X0. Y0. Z0.\no100 call\n")
+    assert len(found) == 1
+    assert "'call' is a macro" in str(found[0])
+    (fault,) = faults_of(bench, "G21 G90\nG0 X0. Y0. Z0.\nO100\n")
+    assert "a program number after motions" in str(fault)
+
+
+@pytest.mark.parametrize(("peck", "noted"), [("Q3", True), ("Q3.", False)])
+def test_a_peck_without_a_decimal_point_is_noted(bench: Bench, peck: str, noted: bool) -> None:
+    program = f"G21 G90\nG0 X0 Y0 Z9\nG83 X1 Y1 Z-6 R2 {peck} F100\nX2\nX3\n"
+    bench.run(program, integers="mm")
+    assert any("Q without a decimal point is read as mm" in note for note in bench.report.notes) == noted
+    bench.run(program, dialect="linuxcnc")
+    assert not any("Q without" in note for note in bench.report.notes)
+    with pytest.raises(InputError, match="Q30 is deeper than the hole"):
+        bench.run(program.replace("Q3", "Q30").replace("Q30.", "Q30"), integers="mm")
+
+
+BEHIND = "%\nO1\nG21 G90\nG0 X0. Y0. Z0.\nG1 X10. F9.\nM30\n%\n"
+
+
+@pytest.mark.parametrize("dialect", [None, "fanuc"])
+def test_text_before_the_first_percent_sign_is_left(bench: Bench, dialect: str | None) -> None:
+    machine = XyzMachine({"EXX": lambda x: 0.02 + 0.0 * x})
+    head = "(made by CAM)\n\nPROGRAM: PART.NC, TOOL 5\nX, Y AND Z\n"
+    written = bench.run(head + BEHIND, machine, dialect=dialect).decode()
+    assert written == head + bench.run(BEHIND, machine, dialect=dialect).decode()
+    bench.run(head + BEHIND, machine, dialect=dialect)
+    assert any(note.startswith("line 3 (and 1 more): text before the first %") for note in bench.report.notes)
+    bench.run("(made by CAM)\n" + BEHIND, machine, dialect=dialect)
+    assert not any("text before" in note for note in bench.report.notes)
+
+
+def test_what_is_no_text_before_a_percent_sign_is_read(bench: Bench) -> None:
+    for block in ("T5", "#1=5", "N10 #1=5", "IF[#1 EQ 1]GOTO 5", "X5 Y5 AND MORE", "/G0 X5."):
+        found = faults_of(bench, f"CAM\n{block}\n" + BEHIND)  # whether these are read is not known
+        assert any("'CAM' is no address" in str(fault) for fault in found)
+    assert "'CAM' is no address" in str(faults_of(bench, "CAM\n" + BEHIND.replace("%\n", "", 1))[0])
+    (fault,) = faults_of(bench, "(made by CAM)\n" + BEHIND, dialect="linuxcnc")
+    assert str(fault) == "in.nc: line 2: % behind other lines, which LinuxCNC refuses; % in the first line, or none"
+    assert bench.run("\n \n" + BEHIND, dialect="linuxcnc")
+    compensated = bench.run("CAM\n" + BEHIND) and bench.out.read_bytes()
+    assert "is compensated already" in str(faults_of(bench, compensated.decode())[0])
+
+
 def test_how_far_pecks_go_back(bench: Bench) -> None:
     program = "G21 G90\nG0 X0. Y0. Z9.\nG73 X1. Y1. Z-3. R2. Q2. F100\nX2.\nX3.\nX4.\nX5.\nX6.\n"
     text = bench.run(program, peck_return=0.5).decode()

@@ -6,7 +6,7 @@ import numpy as np
 
 from trueaxis.compensation.machine import FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Kind, Notes
-from trueaxis.compensation.nc.canned_cycle import Cycle
+from trueaxis.compensation.nc.canned_cycle import Cycle, whole_peck_in_mm
 from trueaxis.compensation.path import Held, MoveTable, alike
 from trueaxis.compensation.settings import Settings
 
@@ -23,6 +23,10 @@ WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
 KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
 STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 ONE_PECK = "Q is no less than the way from R to Z: each hole is drilled in one peck"
+WHOLE_PECK = (
+    "Q without a decimal point is read as mm, as --integers says: some controls count it in steps of 0.001 mm all the "
+    "same"
+)
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
 
@@ -52,3 +56,5 @@ def notes_of_cycle(cycle: Cycle, settings: Settings) -> Iterator[str]:
         yield PECKS.format(settings.peck_return)
         if cycle.in_one_peck:
             yield ONE_PECK
+        if whole_peck_in_mm(cycle, settings):
+            yield WHOLE_PECK

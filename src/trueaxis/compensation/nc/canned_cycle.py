@@ -57,7 +57,13 @@ class DrillingCall:
     modal: bool = False
 
 
+def whole_peck_in_mm(cycle: Cycle, settings: Settings) -> bool:
+    """Whether Q counts mm, or inch, without a decimal point: on some Fanuc controls it counts least increments where
+    other whole numbers do not.
+    """
+    return cycle.pecks and cycle.whole_peck and settings.undotted == "mm" and settings.dialect != "linuxcnc"
+
+
 def peck_in_doubt(cycle: Cycle, settings: Settings) -> bool:
-    """Whether Q may count least increments where other whole numbers count mm, as on some Fanuc controls."""
-    whole = cycle.whole_peck and settings.undotted == "mm" and settings.dialect != "linuxcnc"
-    return whole and cycle.in_one_peck
+    """Whether such a Q more likely counts least increments, as it is deeper than the hole."""
+    return whole_peck_in_mm(cycle, settings) and cycle.in_one_peck

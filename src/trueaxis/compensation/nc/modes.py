@@ -72,7 +72,7 @@ class ModeReader:
         self._feed(meaning)
         if self._settings.dialect == "linuxcnc":
             state.path.take(meaning.codes, meaning.parameters, state.inch)
-        if meaning.program_number and state.moved:
+        if meaning.program_number and state.moved and not meaning.complaints:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         for code in meaning.miscellaneous:
             if m_codes.vouched_for(code, self._settings.pass_m):

@@ -22,6 +22,7 @@ from trueaxis.compensation.nc.block import interpret
 from trueaxis.compensation.nc.called_cycles import CallReader
 from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.leader import leader_of, take_leader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
 from trueaxis.compensation.nc.modes import ModeReader, switch
 from trueaxis.compensation.nc.motion import MotionReader, to_reference
@@ -78,6 +79,11 @@ class NcReader:
         plain, state, undotted_mm = _PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
         runs, number = RunReader(state, self._settings, self._frames, self._cycles), 0
         for text in texts:
+            if not number:
+                leader = leader_of(text, self._settings.dialect)
+                take_leader(leader, self._settings.dialect, self._faults, self._notes)
+                yield from (f"{line}\n" for line in leader)
+                number, text = len(leader), text[sum(map(len, leader)) + len(leader) :]  # noqa: PLW2901
             place = 0
             while place < len(text):
                 run = runs.read(number + 1, text)
