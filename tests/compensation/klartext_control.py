@@ -25,9 +25,10 @@ class KlartextControl(Motions):
         self.pole: list[float] | None = None
         self.ended = False
         self.numbers: list[int] = []
+        self.cycle: dict[int, float] = {}  # values of CYCL DEF 200
 
     def run(self, program: str) -> "KlartextControl":
-        joined = re.sub(r"~\s*\n", " ", program)
+        joined = re.sub(r"(?:;[^\n]*)?~[ \t]*\n", " ", program)
         for line in joined.splitlines():
             found = re.match(r"\s*(\d+)\s", line)
             if found:
@@ -52,13 +53,32 @@ class KlartextControl(Motions):
             self.length = self.tip = self.lengths.get(self.tool, 0.0)
         elif text.startswith("END PGM"):
             self.ended = True
+        elif text.startswith("CYCL DEF 200"):
+            self.cycle = {int(name): float(value) for name, value in re.findall(r"Q(\d+)=([-+\d.]+)", text)}
         elif match := re.match(r"(LP|L|CC|CP|CR|C)(?=\s|$)(.*)", text):
             self.path(match[1], match[2])
+        if re.search(r"\bM99\b|^CYCL CALL", text):
+            self.drill(self.cycle)
         if re.search(r"\bM0?(2|30)\b", text):
             self.ended = True
 
     def shift(self, row: int, machine: bool) -> float:
         return 0.0 if machine else self.preset[row] + self.datum[row] + (self.length if row == 2 else 0.0)
+
+    def drill(self, q: Mapping[int, float]) -> None:
+        """By rapid to the set-up clearance, in pecks from the surface down, by rapid to the larger clearance."""
+        depth, clearance, bottom = q[203], q[203] + q[200], q[203] + q[201]
+        self.deepen(clearance, True)
+        while depth - q[202] > bottom:
+            depth -= q[202]
+            self.deepen(depth, False)
+            self.deepen(clearance, True)
+            self.deepen(depth + q[200], True)
+        self.deepen(bottom, False)
+        self.deepen(q[203] + max(q[200], q[204]), True)
+
+    def deepen(self, value: float, rapid: bool) -> None:
+        self.move([[*self.at[:2], value * self.unit + self.shift(2, False)]], rapid)
 
     def path(self, verb: str, words: str) -> None:
         machine = "M91" in words

@@ -21,6 +21,7 @@ from trueaxis.compensation.klartext.blocks import (
     other_block,
     too_long,
 )
+from trueaxis.compensation.klartext.drilling import Drilling, HoleWriter, ModalFeed, defined, without_call
 from trueaxis.compensation.klartext.ends import POLAR, ends_of
 from trueaxis.compensation.klartext.tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.logs import FaultLog
@@ -54,6 +55,8 @@ class KlartextReader:
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]
         self._pole: dict[str, float] = {}  # of X and Y, in the frame in force, mm
         self._preset = ""
+        self._drilling: Drilling | None = None  # what a call of a cycle makes
+        self._feed = ModalFeed()
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
@@ -72,6 +75,19 @@ class KlartextReader:
             self._faults.add(first, "the block goes on after ~, and the program ends")
 
     def _block(self, number: int, text: str) -> list[Item]:
+        """A block, and the hole where it calls the cycle that is defined before."""
+        drilling = None if self._state.ended else self._drilling
+        if drilling is None or (rest := without_call(text)) is None:
+            return self._read(number, text)
+        head, optional, _ = head_of(text)
+        logs = self._faults, self._notes
+        if optional or set(lex_klartext(text).codes) & m_codes.AFTER:
+            self._faults.add(number, "a call of a cycle in a block with / or a code due at its end", "two blocks")
+        items = self._read(number, rest) if rest else []
+        self._feed.changed = True
+        return [*items, *HoleWriter(number, head, text, self._state, self._settings, logs).hole(drilling)]
+
+    def _read(self, number: int, text: str) -> list[Item]:
         state = self._state
         if is_marked(text):
             self._faults.add(number, *COMPENSATED_ALREADY)
@@ -93,6 +109,7 @@ class KlartextReader:
             if delete == "skip":
                 return [text]
         content = rest.partition(";")[0].replace("~", " ")
+        self._drilling = defined(text, self._drilling)
         if block.verb and block.verb not in ("CT", "CTP", "LN", "LT"):
             return self._path(number, text, block)
         if call := tool_call(content):
@@ -172,6 +189,7 @@ class KlartextReader:
             )
         known_codes(number, block, self._settings, self._faults, self._notes)
         state = self._state
+        block, text = self._feed.restored(block, text)
         item: Item = text
         before = state.position
         take_codes(number, block.codes, bool(block.coordinates), state, self._faults)

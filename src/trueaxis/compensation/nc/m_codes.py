@@ -54,6 +54,8 @@ IN_PLACE = "write the blocks of the subprogram in place of each call, which gets
 _UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + IN_PLACE
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
+_CALLS_CYCLE, _EACH_POSITION = "calls the cycle that is defined before", "calls a cycle at every position"
+_DRILLED = "CYCL DEF 200 with numbers is followed where M99 or CYCL CALL calls it; have others written out as L"
 _MODES = "saves or restores modes, so that later blocks read differently"
 
 # never passed, whoever vouches for them
@@ -95,9 +97,9 @@ HARMFUL_ON: dict[str, dict[int, str]] = {
     "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES) | {430: "selects kinematics that are not in the program"},
     "siemens": {17: _RETURNS},
     "heidenhain": {
-        89: "calls a cycle at every position",
+        89: _EACH_POSITION,
         94: "changes what positions of rotary axes mean",
-        99: "calls the cycle that is defined before",
+        99: _CALLS_CYCLE,
         118: "lets the handwheel shift positions",
         136: "makes F count by turns of the spindle",
         140: "retracts along the tool axis; where it stops is not in the program",
@@ -144,6 +146,8 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
 
 
 def _remedy(harm: str, dialect: str | None) -> str:
+    if harm in (_CALLS_CYCLE, _EACH_POSITION):
+        return f"--pass-m does not pass it; {_DRILLED}"
     if harm not in (_SUBPROGRAM, _RETURNS):
         return NOT_PASSED
     end = "M30 or M2 where the program ends; else " if harm == _RETURNS else ""
