@@ -155,10 +155,8 @@ class RunReader:
 
     def _start(self) -> FloatArray:
         """Where the axes stand, or are taken to stand, (n_axes, 1)."""
-        position = [
-            at if known is None else known for known, at in zip(self._state.position, self._assumed, strict=True)
-        ]
-        return np.array(position, dtype=np.float64)[:, np.newaxis]
+        each = zip(self._state.position, self._assumed, strict=True)
+        return np.array([[assumed if known is None else known] for known, assumed in each], dtype=np.float64)
 
     def _in_force(self) -> set[int]:
         """Codes of modes that change nothing now."""
@@ -171,9 +169,8 @@ class RunReader:
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
         code, before = self._read.lines.code[first:last], self._state.motion
-        return np.diff(self._read.lines.first[first : last + 1]) > 0, _kept(
-            code, code >= 0, -1 if before is None else before
-        )
+        moves = np.diff(self._read.lines.first[first : last + 1]) > 0
+        return moves, _kept(code, code >= 0, -1 if before is None else before)
 
     def _feed(self, first: int, last: int) -> tuple[FloatArray, FloatArray]:
         """F in force in each of these lines; the same in mm/min or deg/min, NaN where it counts otherwise."""
@@ -258,9 +255,8 @@ class RunReader:
         if spindle:
             state.spindle = m_codes.spindle_of(spindle[-1])
         words = slice(*lines.first[[first, last]].tolist())
-        letter = lines.letter[words]
         for axis, row in state.row.items():
-            at = np.flatnonzero(letter == LETTERS.index(axis))
+            at = np.flatnonzero(lines.letter[words] == LETTERS.index(axis))
             if at.size:
                 place, end = (int(of[words][at[-1]]) for of in (lines.place, lines.end))
                 state.numbers[row] = self._read.text[place + 1 : end].strip()
