@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.rivals import Case, Contestant, FloatArray, casadi_functions, hand_written, lambdify, strided
+from benchmarks.rivals import Case, Contestant, FloatArray, casadi_functions, hand_written, lambdify, loop, strided
 from benchmarks.wrenfold_code import cpp_of, numpy_of, unfolded
 from trueaxis.codegen.c_source import c_header, c_source
 from trueaxis.codegen.meta import ABI
@@ -136,8 +136,7 @@ class Contest:
         outs = [np.zeros_like(expected), np.zeros_like(expected)]
         loops = []
         for out, function in zip(outs, (cpp_of(theirs, self.folder), ours.function), strict=True):
-            addresses = [array.ctypes.data for array in (*arrays, out)]
-            loops.append(lambda function=function, addresses=addresses: function(n, n, *addresses))
+            loops.append(loop(function, (*arrays, out)))
             loops[-1]()
             check_agreement(kernel, out, expected)
         check_agreement(kernel, numpy_call(*arrays), expected)

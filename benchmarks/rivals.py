@@ -67,14 +67,20 @@ def compiled(source: Path, folder: Path, *extra: str) -> ctypes.CDLL:
     return ctypes.CDLL(str(library))
 
 
+def loop(function: Any, arrays: Sequence[FloatArray]) -> Callable[[], Any]:
+    """A call of a C function of the kernels' own signature with addresses made ready."""
+    signature = ctypes.CFUNCTYPE(None, *(ctypes.c_size_t,) * 2, *(ctypes.c_void_p,) * len(arrays))
+    called = signature(ctypes.cast(function, ctypes.c_void_p).value or 0)
+    n, addresses = arrays[-1].shape[-1], [array.ctypes.data for array in arrays]
+    return lambda _keep=arrays: called(n, n, *addresses)  # the arrays live as long as the call
+
+
 def strided(name: str, function: Any) -> Contestant:
     """A C function of the kernels' own signature, called with addresses made ready."""
-    function.argtypes, function.restype = (ctypes.c_size_t,) * 2 + (ctypes.c_void_p,) * 5, None
 
     def prepare(case: Case) -> tuple[Callable[[], Any], Callable[[], FloatArray]]:
         out = np.zeros((3, case.n))
-        addresses = [array.ctypes.data for array in (*case.arrays, out)]
-        return lambda: function(case.n, case.n, *addresses), lambda: out
+        return loop(function, (*case.arrays, out)), lambda: out
 
     return Contestant(name, prepare)
 

@@ -91,9 +91,7 @@ def cpp_of(routine: Routine, folder: Path) -> Any:
     library = source.with_suffix(".so")
     flags = ["-std=c++17" if flag.startswith("-std") else flag for flag in FLAGS]
     subprocess.run(["g++", *flags, NATIVE, str(source), "-o", str(library)], check=True)
-    function = ctypes.CDLL(str(library)).loop
-    function.argtypes, function.restype = (ctypes.c_size_t,) * 2 + (ctypes.c_void_p,) * len(arguments), None
-    return function
+    return ctypes.CDLL(str(library)).loop
 
 
 def numpy_of(routine: Routine) -> Callable[..., npt.NDArray[np.float64]]:

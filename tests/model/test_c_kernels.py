@@ -166,6 +166,18 @@ def test_any_memory_layout_and_type_of_number(compiled: Compiled) -> None:
         assert np.array_equal(kernel(same, errors, parameters, point), wanted)
 
 
+def test_read_only_and_scattered_inputs_on_threads(compiled: Compiled) -> None:
+    n = 2 * 131072 + 5
+    positions, errors, parameters, point = arguments(compiled, n)
+    kernel = compiled.c[DEVIATION]
+    wanted = kernel(positions, errors, parameters, point)
+    scattered = np.repeat(positions, 2, axis=1)[:, ::2]
+    for array in (errors, parameters):
+        array.setflags(write=False)
+    for threads in (1, 2):
+        assert np.array_equal(kernel(scattered, errors, parameters, point, threads=threads), wanted)
+
+
 def test_inputs_are_left_as_they_are(compiled: Compiled) -> None:
     arrays = arguments(compiled, 100)
     before = [array.copy() for array in arrays]
