@@ -8,14 +8,15 @@ memory, and, where one point of the tool serves for all, its copies.
 import argparse
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from benchmarks.kernels import AGAINST, MODEL, ROOT, Contest, seconds, unfolded, values_of
+from benchmarks.kernels import AGAINST, MODEL, ROOT, Contest, seconds, values_of
 from benchmarks.rivals import Case, FloatArray, hand_written, loop
-from benchmarks.wrenfold_code import cpp_of
+from benchmarks.wrenfold_code import cpp_of, unfolded
 from trueaxis.derivation.routine import Routine
 from trueaxis.machine import read_machine
 
@@ -57,13 +58,17 @@ def _contests(contest: Contest) -> Iterator[tuple[str, Routine, Callable[[Sequen
     for kernel in AGAINST:
         theirs = unfolded(contest.machine, routines[kernel]) if kernel == MODEL else routines[kernel]
         label = f"{kernel.removeprefix('tool_in_workpiece_')}, wrenfold"
-        function = cpp_of(theirs, contest.folder)
-        yield label, routines[kernel], lambda arrays, out, function=function: loop(function, (*arrays, out))
+        yield label, routines[kernel], partial(_loop, cpp_of(theirs, contest.folder))
+
+
+def _loop(function: Any, arrays: Sequence[FloatArray], out: FloatArray) -> Callable[[], Any]:
+    return loop(function, (*arrays, out))
 
 
 def best(calls: Sequence[Callable[[], Any]], rounds: int) -> FloatArray:
     """Seconds of each call, the least of all rounds."""
-    return np.array([[seconds(call, CALLS) for call in calls] for _ in range(rounds)]).min(axis=0)
+    took: FloatArray = np.array([[seconds(call, CALLS) for call in calls] for _ in range(rounds)]).min(axis=0)
+    return took
 
 
 if __name__ == "__main__":

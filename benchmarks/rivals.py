@@ -72,7 +72,11 @@ def loop(function: Any, arrays: Sequence[FloatArray]) -> Callable[[], Any]:
     signature = ctypes.CFUNCTYPE(None, *(ctypes.c_size_t,) * 2, *(ctypes.c_void_p,) * len(arrays))
     called = signature(ctypes.cast(function, ctypes.c_void_p).value or 0)
     n, addresses = arrays[-1].shape[-1], [array.ctypes.data for array in arrays]
-    return lambda _keep=arrays: called(n, n, *addresses)  # the arrays live as long as the call
+
+    def call(_keep: Sequence[FloatArray] = arrays) -> None:  # the arrays live as long as the call
+        called(n, n, *addresses)
+
+    return call
 
 
 def strided(name: str, function: Any) -> Contestant:

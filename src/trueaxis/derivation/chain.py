@@ -127,6 +127,18 @@ def cross(left: Vector, right: Vector) -> Vector:
     return b * z - c * y, c * x - a * z, a * y - b * x
 
 
+def added(left: Vector, right: Vector, sign: int = 1) -> Vector:
+    """The left vector plus sign times the right one."""
+    x, y, z = (a + sign * b for a, b in zip(left, right, strict=True))
+    return x, y, z
+
+
+def expanded(vector: Vector) -> Vector:
+    """The same as sums of products."""
+    x, y, z = map(sp.expand, vector)
+    return x, y, z
+
+
 def _error(names: list[str | None]) -> Error:
     ex, ey, ez, ea, eb, ec = (symbols.named(name) if name else sp.S.Zero for name in names)
     return Error((ex, ey, ez), (ea, eb, ec), tuple(names))

@@ -21,7 +21,21 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.chain import Error, Joint, Shift, Turn, Vector, cross, cross_matrix, joint, matrix, rotation
+from trueaxis.derivation.chain import (
+    ZERO,
+    Error,
+    Joint,
+    Shift,
+    Turn,
+    Vector,
+    added,
+    cross,
+    cross_matrix,
+    expanded,
+    joint,
+    matrix,
+    rotation,
+)
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
@@ -47,29 +61,34 @@ class FirstOrder:
 
 def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
     """Walk a point through a view to first order; `point` in the frame of the seen body, mm."""
-    at = sp.Matrix(point)
-    columns: dict[str, sp.Matrix] = {}
+    at = point
+    columns: dict[str, Vector] = {}
     for factor in view.walk:
         sign = -1 if factor.inverted else 1
         match factor.step:
             case Shift(by):
-                at += sign * sp.Matrix(by)
+                at = added(at, by, sign)
             case Turn(axis, cosine, sine):
-                turn = rotation(axis, cosine, sign * sine)
-                at = turn * at
-                columns = {name: turn * column for name, column in columns.items()}
+                turn = rotation(axis, cosine, sign * sine).tolist()
+                at = _turned(turn, at)
+                columns = {name: _turned(turn, column) for name, column in columns.items()}
             case Error(_, _, names):
-                generators = sp.Matrix.hstack(sp.eye(3), -cross_matrix(tuple(at)))
-                for index, name in enumerate(names):
+                for name, effect in zip(names, _generators(at), strict=True):
                     if name is not None:
                         # A body below both ends is met twice: both effects add.
-                        columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * generators[:, index]
+                        columns[name] = added(columns.get(name, ZERO), effect, sign)
     return FirstOrder(expanded(at), {name: expanded(column) for name, column in columns.items()})
 
 
-def expanded(column: sp.Matrix) -> Vector:
-    """A column (3, 1) with its products multiplied out."""
-    x, y, z = (sp.expand(entry) for entry in column)
+def _generators(at: Vector) -> tuple[Vector, ...]:
+    """What a unit of each of the six errors does to a point: displacements, then rotations about X, Y and Z."""
+    x, y, z = zip(*(-cross_matrix(at)).tolist(), strict=True)
+    one, zero = sp.S.One, sp.S.Zero
+    return (one, zero, zero), (zero, one, zero), (zero, zero, one), x, y, z
+
+
+def _turned(turn: list[list[sp.Expr]], vector: Vector) -> Vector:
+    x, y, z = (sp.Add(*(a * b for a, b in zip(row, vector, strict=True))) for row in turn)
     return x, y, z
 
 

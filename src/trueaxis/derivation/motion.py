@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derivation import symbols
-from trueaxis.derivation.chain import Vector
-from trueaxis.derivation.first_order import FirstOrder, expanded, first_order
+from trueaxis.derivation.chain import ZERO, Vector, added, expanded
+from trueaxis.derivation.first_order import FirstOrder, first_order
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import LINEAR, ROTARY, Machine
 from trueaxis.machine.topology import branches
@@ -34,21 +34,21 @@ def motion_equation(
     machine: Machine, moves: Collection[str], terms: tuple[tuple[int, Carrier, Vector], ...], frame: Frame = "bed"
 ) -> MotionEquation:
     """Displacement of the signed sum of points, seen in `frame`, with the axes `moves` away from home."""
-    ideal = sp.zeros(3, 1)
-    columns: dict[str, sp.Matrix] = {}
+    ideal, columns = ZERO, dict[str, Vector]()
     for sign, seen, point in terms:
         if seen == frame:
             continue  # a point does not move in the frame of its own body
         moved = first_order(view(machine, view_of(seen, frame)), point)
-        at, home = _at(machine, moved, moves), _at(machine, moved, ())
-        ideal += sign * (sp.Matrix(at.ideal) - sp.Matrix(home.ideal))
+        away, home = _still(machine, moves), _still(machine, ())
+        ideal = added(ideal, _change(moved.ideal, away, home), sign)
         for name in machine.components:
-            if name.axis in moves and name in at.columns:
-                columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * sp.Matrix(at.columns[name])
+            if name.axis in moves and name in moved.columns:
+                at = _substituted(moved.columns[name], away)
+                columns[name] = added(columns.get(name, ZERO), at, sign)
         for location in machine.location_errors:
-            if location in at.columns:
-                change = sp.Matrix(at.columns[location]) - sp.Matrix(home.columns[location])
-                columns[location] = columns.get(location, sp.zeros(3, 1)) + sign * change
+            if location in moved.columns:
+                change = _change(moved.columns[location], away, home)
+                columns[location] = added(columns.get(location, ZERO), change, sign)
     kept = {name: expanded(column) for name, column in columns.items() if any(column)}
     ordered = {name: kept[name] for name in machine.components + machine.location_errors if name in kept}
     axes = tuple(axis for axis in machine.axes if axis in moves)
@@ -78,7 +78,8 @@ def standard_motions(machine: Machine) -> tuple[MotionEquation, ...]:
     return tuple(equations)
 
 
-def _at(machine: Machine, moved: FirstOrder, moves: Collection[str]) -> FirstOrder:
+def _still(machine: Machine, moves: Collection[str]) -> dict[sp.Symbol, sp.Expr]:
+    """Positions of the axes that do not move."""
     still: dict[sp.Symbol, sp.Expr] = {}
     for axis in machine.axes:
         if axis in moves:
@@ -87,8 +88,11 @@ def _at(machine: Machine, moved: FirstOrder, moves: Collection[str]) -> FirstOrd
             still |= {symbols.cosine(axis): sp.S.One, symbols.sine(axis): sp.S.Zero}
         else:
             still[symbols.position(axis)] = sp.S.Zero
-    columns = {name: _substituted(column, still) for name, column in moved.columns.items()}
-    return FirstOrder(_substituted(moved.ideal, still), columns)
+    return still
+
+
+def _change(values: Vector, away: dict[sp.Symbol, sp.Expr], home: dict[sp.Symbol, sp.Expr]) -> Vector:
+    return added(_substituted(values, away), _substituted(values, home), -1)
 
 
 def _substituted(values: Vector, by: dict[sp.Symbol, sp.Expr]) -> Vector:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.derivation.chain import ZERO, Error, Joint, Shift, Step, Turn, Vector, chains, cross, rotation
+from trueaxis.derivation.chain import ZERO, Error, Joint, Shift, Step, Turn, Vector, added, chains, cross, rotation
 from trueaxis.derivation.routine import Binder
 from trueaxis.machine.machine import Machine
 from trueaxis.view import Carrier, Frame, View
@@ -91,28 +91,28 @@ def walk(
         sign = -1 if factor.inverted else 1
         match factor.step:
             case Shift(by) if not direction:
-                p = _bound(binder, _add(p, by, sign))
+                p = _bound(binder, added(p, by, sign))
             case Turn(axis, cosine, sine):
                 turn = rotation(axis, cosine, sign * sine)
                 p, d = _bound(binder, turn * sp.Matrix(p)), _bound(binder, turn * sp.Matrix(d))
             case Error(displacement, angles, names) if any(names):
                 shift = ZERO if direction else displacement
                 if not exact:
-                    d = _bound(binder, _add(_add(d, shift, sign), cross(angles, p), sign))
+                    d = _bound(binder, added(added(d, shift, sign), cross(angles, p), sign))
                 elif true_rotation:
                     d = _rotated(binder, shift, angles, p, d, sign)
                 elif not factor.inverted:
-                    d = _bound(binder, _add(_add(d, shift), cross(angles, _add(p, d))))
+                    d = _bound(binder, added(added(d, shift), cross(angles, added(p, d))))
                 else:
                     d = _inverse(binder, shift, angles, p, d)
     return Walked(p, d)
 
 
 def _inverse(binder: Binder, displacement: Vector, angles: Vector, p: Vector, d: Vector) -> Vector:
-    u = _bound(binder, _add(d, displacement, -1))
+    u = _bound(binder, added(d, displacement, -1))
     if not any(angles):
         return u
-    w = _bound(binder, _add(p, u))
+    w = _bound(binder, added(p, u))
     projection = binder.bind(sum((a * b for a, b in zip(angles, w, strict=True)), sp.S.Zero))
     square = binder.bind(sum((a * a for a in angles), sp.S.Zero))
     scale = binder.bind(1 / (1 + square))
@@ -126,21 +126,16 @@ def _rotated(binder: Binder, displacement: Vector, angles: Vector, p: Vector, d:
     s = sin(|epsilon|)/|epsilon| and c = (1 - cos(|epsilon|))/|epsilon|^2 as series in q, which need no branch at zero
     and are exact to double precision for rotations below 0.05 rad.
     """
-    u = d if sign > 0 else _bound(binder, _add(d, displacement, -1))
+    u = d if sign > 0 else _bound(binder, added(d, displacement, -1))
     if any(angles):
-        w = _bound(binder, _add(p, u))
+        w = _bound(binder, added(p, u))
         q = binder.bind(sum((a * a for a in angles), sp.S.Zero))
         s = binder.bind(1 - q * (sp.Rational(1, 6) - q * (sp.Rational(1, 120) - q / 5040)))
         c = binder.bind(sp.Rational(1, 2) - q * (sp.Rational(1, 24) - q * (sp.Rational(1, 720) - q / 40320)))
         once = _bound(binder, cross(angles, w))
         twice = _bound(binder, cross(angles, once))
         u = _bound(binder, (u[i] + sign * s * once[i] + c * twice[i] for i in range(3)))
-    return u if sign < 0 else _bound(binder, _add(u, displacement))
-
-
-def _add(left: Vector, right: Vector, sign: int = 1) -> Vector:
-    x, y, z = (a + sign * b for a, b in zip(left, right, strict=True))
-    return x, y, z
+    return u if sign < 0 else _bound(binder, added(u, displacement))
 
 
 def _bound(binder: Binder, values: object) -> Vector:

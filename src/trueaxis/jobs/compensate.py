@@ -32,10 +32,10 @@ from trueaxis.jobs.compensation_arguments import (
 from trueaxis.jobs.drawn_program import DrawnProgram, Remembering, drawn_program
 from trueaxis.jobs.draws import checked, faults_of_draws
 from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
-from trueaxis.jobs.load import AnyPath, Errors
+from trueaxis.jobs.load import Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_zero, tool_points
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.monte_carlo.settings import Draws

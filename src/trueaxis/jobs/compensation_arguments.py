@@ -20,7 +20,7 @@ from trueaxis.compensation.offsets import (
 from trueaxis.compensation.settings import Arcs, BlockDelete, Dialect, Integers, Method, Orientation, WordChoice
 from trueaxis.compensation.tools import LONGEST, Tool, ToolTable, read_tools
 from trueaxis.compensation.touched_off import touched_off_of_option
-from trueaxis.jobs.load import AnyPath
+from trueaxis.jobs.typed import AnyPath
 from trueaxis.machine.machine import AXES
 
 Zero = float | tuple[float, float]

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.jobs.load import KERNELS, AnyPath
 from trueaxis.jobs.tables import Printed
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.data import MeasuredData, read_data
@@ -23,6 +22,9 @@ from trueaxis.view import Carrier
 
 if TYPE_CHECKING:
     from trueaxis.derivation.systems import RunPattern
+
+
+KERNELS = "generated"  # the folder that `derive` writes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

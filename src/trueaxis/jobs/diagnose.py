@@ -20,10 +20,10 @@ from trueaxis.jobs.derive import identification_runs
 from trueaxis.jobs.extending import SECOND, Extending, Given, Start, contents_of, outputs, spec_text
 from trueaxis.jobs.given import files_of, kernels_of, warn_of_misfit, with_errors
 from trueaxis.jobs.identify import believed, check_noise
-from trueaxis.jobs.load import AnyPath, DataFolder, Errors
+from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import Tabular
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.measurement.data import MeasuredData

@@ -29,9 +29,8 @@ from trueaxis.io.input_files import gathering
 from trueaxis.jobs.evaluated import Evaluated, EvaluatedCircle, EvaluatedDiagonals, EvaluatedPositioning
 from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.import_readings import KeyValue, key_text
-from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import above_zero
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.instrument_run import InstrumentRun
 

@@ -15,10 +15,10 @@ from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
 from trueaxis.jobs.given import Spelled, argument, check_fit, files_of, kernels_of, name_of, with_errors
-from trueaxis.jobs.load import AnyPath, Errors
+from trueaxis.jobs.load import Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import ORIGIN, Printed, above_zero, at_least_zero, tool_points
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent

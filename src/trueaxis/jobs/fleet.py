@@ -19,9 +19,8 @@ from trueaxis.io.safe_text import shown
 from trueaxis.io.staging import written_by_one
 from trueaxis.jobs.draws import workers_of
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
-from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.tables import Printed, Tabular
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.measurement.table import table_bytes
 from trueaxis.reporting.fleet import fleet_text
 

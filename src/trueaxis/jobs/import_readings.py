@@ -17,10 +17,10 @@ from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering, input_bytes
 from trueaxis.io.safe_text import shown
 from trueaxis.jobs.given import kernels_of
-from trueaxis.jobs.load import AnyPath, DataFolder, load_data
+from trueaxis.jobs.load import DataFolder, load_data
 from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.tables import Printed, Tabular
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file

@@ -10,9 +10,8 @@ from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.safe_text import shown
 from trueaxis.jobs.given import Spelled, argument
-from trueaxis.jobs.load import AnyPath
 from trueaxis.jobs.outputs import named
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.read import parse_machine
 from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, new_spec, parse_structure

@@ -2,14 +2,14 @@
 
 from collections import Counter
 from dataclasses import dataclass, field
-from os import PathLike
 from pathlib import Path
 
 import polars as pl
 
 from trueaxis.io.files import write_files
+from trueaxis.jobs.derive import KERNELS
 from trueaxis.jobs.tables import Printed, Tabular
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement import readings, setup
 from trueaxis.measurement.active_compensation import active_values, moved_setup
@@ -21,9 +21,6 @@ from trueaxis.model.errors import ErrorValues, dump_errors
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import load_uncertainty
 from trueaxis.reporting.error_table import errors_frame, errors_html, errors_text
-
-AnyPath = str | PathLike[str]
-KERNELS = "generated"  # the folder that `derive` writes
 
 
 @dataclass(frozen=True, slots=True, eq=False)

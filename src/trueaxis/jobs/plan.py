@@ -15,11 +15,11 @@ from trueaxis.io.files import write_files
 from trueaxis.io.input_files import utf8_text
 from trueaxis.jobs.given import Spelled, argument, faults_of_runs, files_of, kernels_of, warn_of_misfit
 from trueaxis.jobs.identify import Noise, believed, noise_model
-from trueaxis.jobs.load import AnyPath, DataFolder, Errors, load_data
+from trueaxis.jobs.load import DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, outputs_of
 from trueaxis.jobs.tables import ORIGIN, Printed, Tabular
-from trueaxis.jobs.typed import typed
+from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.measurement.active_compensation import moved_setup

@@ -12,6 +12,7 @@ import numpy as np
 
 from trueaxis.machine.fields import shown
 
+AnyPath = str | PathLike[str]
 P = ParamSpec("P")
 R = TypeVar("R")
 
