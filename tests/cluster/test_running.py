@@ -1,46 +1,19 @@
 """The workers of a scheduler that runs already, and what is no such thing."""
 
-import os
-import re
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 
 from tests.cluster import work
-from tests.machines import ROOT
+from tests.cluster.running import ENVIRONMENT, scheduler, worker_processes
 from trueaxis.cluster.tasks import Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.io.faults import InputError
-
-ENVIRONMENT = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT / "src"), str(ROOT)])}
-
-
-@contextmanager
-def process(*words: str) -> Iterator["subprocess.Popen[str]"]:
-    command = [sys.executable, "-m", *words]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT) as running:
-        try:
-            yield running
-        finally:
-            running.kill()
-
-
-@contextmanager
-def scheduler() -> Iterator[str]:
-    """Its address."""
-    words = ("--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--dashboard-address", "127.0.0.1:0")
-    with process("distributed.cli.dask_scheduler", *words) as running:
-        assert running.stderr is not None
-        for line in running.stderr:
-            if found := re.search(r"Scheduler at:\s+(tcp://\S+)", line):
-                yield found[1]
-                return
 
 
 def refused(address: str) -> str:
@@ -56,8 +29,7 @@ def refused(address: str) -> str:
 def test_its_workers_do_the_work() -> None:
     with scheduler() as address, ExitStack() as stack:
         assert "has no workers" in refused(address)
-        words = ("--nthreads", "1", "--nworkers", "2", "--host", "127.0.0.1", "--no-dashboard")
-        stack.enter_context(process("distributed.cli.dask_worker", address, *words))
+        stack.enter_context(worker_processes(address))
         client = stack.enter_context(client_of(Workers(scheduler=address)))
         tasks = [Task(key=str(n), function=work.square, arguments=(n,)) for n in range(10)]
         found = {one.key: one.result[0] for one in run_tasks(client, tasks)}

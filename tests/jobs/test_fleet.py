@@ -17,6 +17,7 @@ import psutil
 import pytest
 
 import trueaxis as ta
+from tests.cluster.running import scheduler, worker_processes
 from tests.command_lines import PROGRAM, leftovers
 from tests.fleets.small_fleet import SLOPE, write_data, write_fleet
 from trueaxis.cli.main import main
@@ -250,6 +251,15 @@ def test_results_are_no_inputs(done: tuple[Path, ta.FleetResult], tmp_path: Path
     with pytest.raises(ta.InputError, match="lies among the results of --out"):
         ta.fleet(folder / "FLEET.toml", folder)
     assert stamps(folder) == before
+
+
+def test_workers_of_a_scheduler_that_runs_give_the_same_rows(done: tuple[Path, ta.FleetResult], tmp_path: Path) -> None:
+    folder, _ = done
+    file = write_fleet(tmp_path, 4, changed=[2])
+    with scheduler() as address, worker_processes(address):
+        assert main(["fleet", str(file), "--out", str(tmp_path / "out"), "--scheduler", address]) == 0
+    for name in ("results.parquet", "machines/M2/2026-11-01/row.json"):
+        assert (tmp_path / "out" / name).read_bytes() == (folder / "out" / name).read_bytes()
 
 
 def test_wrong_files_and_options_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
