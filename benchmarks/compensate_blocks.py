@@ -34,8 +34,9 @@ PROGRAMS = {
     "words": "N, G1, X Y Z and F in every block, a comment behind one in 50",
     "arcs": "X Y Z, an arc with its G1 behind it in 200 blocks, a comment in 1000",
     "half": "lines and arcs by turns, by I J and by R",
-    "holes": "G81, 200 holes by X and Y alone in each",
-    "pecks": "G83 of five pecks, 20 holes by X and Y alone in each",
+    "holes": "G81, said again for one of 200 holes, the others by X and Y alone",
+    "pecks": "G83 of five pecks, said again for one of 20 holes, the others by X and Y alone",
+    "cycles": "as pecks, but each G83 ends with G80 and a rapid",
     "laser": "blocks of X Y; Z never gets a position",
     "cam": "tool paths of 30 to 300 blocks as CAM systems write them: a head of S, M3, M8, G90 G17, G0 and the plunge, "
     "arcs in and out and at corners, three feeds, G0 up and M9",
@@ -111,8 +112,9 @@ def block(program: str, number: int, place: tuple[float, float, float], before: 
         text = f"{line}\n"
     elif program == "holes":
         text = f"G81 {line} Z100. R120. F500.\n" if number % 200 == 0 else f"{line}\n"
-    elif program == "pecks":
-        text = f"G83 {line} Z100. R120. Q4. F500.\n" if number % 20 == 0 else f"{line}\n"
+    elif program in {"pecks", "cycles"}:
+        ended = "G80\nG0 Z120.\n" if program == "cycles" else ""
+        text = f"{ended}G83 {line} Z100. R120. Q4. F500.\n" if number % 20 == 0 else f"{line}\n"
     return text
 
 
