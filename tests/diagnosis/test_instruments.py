@@ -96,6 +96,15 @@ def test_a_run_that_was_zeroed_elsewhere_is_named_with_its_size(size: float) -> 
     assert not one.signal[~places("Y2-1")].any()
 
 
+@pytest.mark.parametrize(("caused", "named"), [(0.0, 1), (0.06, 0), (0.002, 1)])
+def test_a_zero_as_large_as_what_a_cause_does_in_its_run_is_not_of_the_instrument(caused: float, named: int) -> None:
+    """The form of a cause may be as wrong at home, where the run is zeroed."""
+    mine = places("Y2-1")
+    signal = np.where(mine, caused * np.linspace(-1.0, 1.0, mine.size), 0.0)
+    null = null_of(given().model, given().rows, readings(7) + signal + 0.08 * mine, 1e3 * SIGMA)
+    assert len(instruments_off(null, signal)) == named
+
+
 def test_runs_of_one_set_up_that_agree_are_one_cause() -> None:
     values = readings(8)
     values[places("X1-1", "X1-2")] += 0.2

@@ -6,7 +6,7 @@ of the instrument. Of one that stands alone, with nothing stated, nothing is sai
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.special import ndtr
@@ -14,7 +14,7 @@ from scipy.special import ndtr
 from trueaxis.diagnosis.null_model.base import LARGEST, WIDE, Base
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.noise_fit import NOISIEST
-from trueaxis.diagnosis.null_model.null import Null, balls_anywhere, expected_root, factored
+from trueaxis.diagnosis.null_model.null import Null, balls_anywhere, expected_root, factored, log_likelihood
 from trueaxis.diagnosis.null_model.whiten import RANK
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.effects.kind import Effect
@@ -64,8 +64,9 @@ class Off:
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Unknown:
     """As the readings have it. of: what it shares with the other coordinates of a point; runs: by their places in the
-    base; size, factor: one standard deviation before, and by what that may be wrong; column: (n,), mm per unit;
-    squares: what all coordinates explain, whitened.
+    base; size, factor: one standard deviation before, and by what that may be wrong; caused: by how much it may be off
+    by what causes do at home, which readings do not tell; column: (n,), mm per unit; squares: what all coordinates
+    explain, whitened.
     """
 
     kind: str
@@ -75,6 +76,7 @@ class _Unknown:
     factor: float
     value: float
     u: float
+    caused: float = 0.0
     column: FloatArray
     squares: float
 
@@ -94,7 +96,7 @@ class _OfRun:
 
 def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     """Those that are, most evident first, each beside those before. signal: (n,), mm, what causes in the machine do to
-    the readings.
+    the readings: a zero may be off by as much, as a form may be wrong at home, where a run is zeroed.
 
     Where a machine whose errors are larger than [prior] has it is likelier than one whose instruments are off, it is
     taken for one: of instruments that what is expected of the machine alone speaks against nothing is known.
@@ -109,8 +111,8 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
         sized = r * (deviation * length)
         root = deviation[:, np.newaxis] * expected_root(sized)
         root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
-        found, left = _beside(null, columns, q, root, values)
-        likely = _log_likelihood(q, sized, null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
+        found, left = _beside(null, columns, q, root, values, signal)
+        likely = log_likelihood(q, sized, null.whitening(left)) + len(found) * np.log(FALSE_ALARMS)
         if likely > most:
             best, most = found, likely
         if not found:
@@ -119,15 +121,21 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
 
 
 def _beside(
-    null: Null, columns: ByRun, q: ByRun, root: FloatArray, values: FloatArray
+    null: Null, columns: ByRun, q: ByRun, root: FloatArray, values: FloatArray, signal: FloatArray
 ) -> tuple[tuple[Off, ...], FloatArray]:
     """Instruments that are off by what is expected of the machine, and (n,), mm: what they leave of the values."""
     left, found = values, dict[tuple[str, object], Off]()
+    homes = [one.instrument != "ballbar" for one in null.base.runs]  # a ball bar is zeroed at its own length
+    caused = [home * np.abs(signal[one.rows.at]).max() for home, one in zip(homes, null.base.runs, strict=True)]
     while len(found) < MOST:
         inside = q.transposed(null.whitening(left))
         coefficient = root[:, : inside.size] @ inside
         every = [*_shared(null.base, columns, coefficient, root), *_own(null, left, columns, coefficient, root)]
-        every = [one for one in every if (one.kind, one.of) not in found]
+        every = [
+            replace(one, caused=max(caused[place] for place in one.runs)) if CLASSES[one.kind].zero else one
+            for one in every
+            if (one.kind, one.of) not in found
+        ]
         chances = [_chance(one, [o for o in every if o.kind == one.kind and o.of != one.of]) for one in every]
         sure = [one for one, chance in zip(every, chances, strict=True) if chance * len(every) < FALSE_ALARMS]
         if not sure:
@@ -141,15 +149,6 @@ def _beside(
     return tuple(found.values()), left
 
 
-def _log_likelihood(q: ByRun, sized: FloatArray, white: FloatArray) -> float:
-    """Of whitened readings (n,), but for a constant: noise, and columns q times `sized` (p, p), each of variance 1."""
-    inside = q.transposed(white)
-    factor = np.linalg.cholesky(np.eye(inside.size) + sized @ sized.T)
-    within = np.linalg.solve(factor, inside)
-    outside = float(white @ white - inside @ inside)
-    return -0.5 * (outside + float(within @ within)) - float(np.log(np.diag(factor)).sum())
-
-
 def _chance(one: _Unknown, others: Sequence[_Unknown]) -> float:
     """Probability that an unknown is so far off, the size of its class being what is stated or known, and what the
     others say of it.
@@ -157,10 +156,11 @@ def _chance(one: _Unknown, others: Sequence[_Unknown]) -> float:
     size = one.size * one.factor**SIZES
     weight = -0.5 * SIZES**2
     for other in others:
-        spread = np.hypot(size * other.size / one.size, other.u)
+        spread = np.sqrt((size * other.size / one.size) ** 2 + other.u**2 + other.caused**2)
         weight -= 0.5 * (other.value / spread) ** 2 + np.log(spread)
     weight = np.exp(weight - weight.max())
-    return float(2.0 * ndtr(-abs(one.value) / np.hypot(size, one.u)) @ weight / weight.sum())
+    spread = np.sqrt(size**2 + one.u**2 + one.caused**2)
+    return float(2.0 * ndtr(-abs(one.value) / spread) @ weight / weight.sum())
 
 
 def _shared(base: Base, columns: ByRun, coefficient: FloatArray, root: FloatArray) -> Iterator[_Unknown]:

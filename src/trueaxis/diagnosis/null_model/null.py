@@ -141,3 +141,12 @@ def left_by_base(null: Null, values: FloatArray) -> FloatArray:
     """(n,), mm: what the base leaves of values."""
     coefficient = fitted(null.whitening, null.base.columns, values)
     return less_own(null.whitening, values - null.base.columns @ coefficient)
+
+
+def log_likelihood(q: ByRun, sized: FloatArray, white: FloatArray) -> float:
+    """Of whitened readings (n,), but for a constant: noise, and columns q times `sized` (p, p), each of variance 1."""
+    inside = q.transposed(white)
+    factor = np.linalg.cholesky(np.eye(inside.size) + sized @ sized.T)
+    within = np.linalg.solve(factor, inside)
+    outside = float(white @ white - inside @ inside)
+    return -0.5 * (outside + float(within @ within)) - float(np.log(np.diag(factor)).sum())
