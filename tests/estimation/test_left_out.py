@@ -19,7 +19,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import moved as moved_state
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
-from trueaxis.identification.fit_quality import MISFIT
+from trueaxis.identification.fit_quality import MISFIT_OF_RUN
 from trueaxis.model.errors import ErrorValues
 
 SEED, MACHINE = 9714, 9721  # 14 runs of few targets: half a second an estimate
@@ -129,7 +129,7 @@ def test_many_readings_make_a_small_difference_sure_and_not_large(
     small, large = far(3.0), far(40.0)
     assert small.log_p < -SURE
     assert small.of_readings < 1.5
-    assert MISFIT < large.of_readings < 40.0
+    assert MISFIT_OF_RUN < large.of_readings < 40.0
 
 
 def test_readings_as_they_should_be_contradict_nothing(bench: tuple[World, Array]) -> None:

@@ -10,7 +10,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
-from trueaxis.identification.fit_quality import MISFIT, FitQuality
+from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
 
 READS: Mapping[How, str] = {
@@ -46,7 +46,7 @@ class Contradicting:
         """Whether they are off by more than noise of any form and a zero that is far off, or what is said of the tool
         point does not hold where they are wrong.
         """
-        return self.moved > self.u or self.zeros_free > MISFIT
+        return self.moved > self.u or self.zeros_free > MISFIT_OF_RUN
 
     def __str__(self) -> str:
         verb, them = ("contradicts", "it") if len(self.runs) == 1 else ("contradict", "them")
