@@ -13,13 +13,11 @@ from tests.worlds.truth import draw_machine
 from trueaxis.estimation import estimate as room
 from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.left_out import Far, beside_all, beside_others
-from trueaxis.estimation.misread import SURE
+from trueaxis.estimation.left_out import beside_all, beside_others
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import moved as moved_state
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
-from trueaxis.identification.fit_quality import MISFIT_OF_RUN
 from trueaxis.model.errors import ErrorValues
 
 SEED, MACHINE = 9714, 9721  # 14 runs of few targets: half a second an estimate
@@ -60,8 +58,11 @@ def _pairs(one: World) -> list[tuple[int, int]]:
     ]
 
 
-def _of_all(one: World, reading: Array, monkeypatch: pytest.MonkeyPatch) -> Fitted:
-    """The fit to all readings, before what is wrong with them is asked."""
+def test_all_readings_say_of_a_run_what_the_others_say(
+    bench: tuple[World, Array], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """P^-1 e is what the run differs by from an estimate without it, at the same sizes and noise."""
+    one, reading = bench
     kept: list[Fitted] = []
 
     def keep(_: object, fitted: Fitted, *__: object) -> tuple[dict[int, object], list[object]]:
@@ -71,65 +72,26 @@ def _of_all(one: World, reading: Array, monkeypatch: pytest.MonkeyPatch) -> Fitt
     monkeypatch.setattr(room, "_wrong", keep)
     _estimated(one, reading)
     (fitted,) = kept
-    return fitted
-
-
-def _without(fitted: Fitted, place: int) -> Fitted:
-    """The fit to the other runs, at the same sizes and noise."""
     state = fitted.state
-    chosen = [k for k in range(len(state.runs)) if k != place]
-    rest = replace(
-        state,
-        runs=tuple(state.runs[k] for k in chosen),
-        scales=state.scales[chosen],
-        own=tuple(state.own[k] for k in chosen),
-        residual=tuple(state.residual[k] for k in chosen),
-        kept=tuple(state.kept[k] for k in chosen),
-    )
-    sizes = Sizes(state.layout, rest.own_kinds)
-    values = dict(zip(fitted.sizes.names, fitted.x.tolist(), strict=True))
-    others = Fitted(state=rest, sizes=sizes, x=np.array([values[name] for name in sizes.names]))
-    return replace(others, state=moved_state(rest, others.posterior(), sizes.own_scales(others.x)))
-
-
-def test_all_readings_say_of_a_run_what_the_others_say(
-    bench: tuple[World, Array], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """P^-1 e is what the run differs by from an estimate without it, at the same sizes and noise."""
-    fitted = _of_all(*bench, monkeypatch)
-    together = beside_all(fitted, fitted.posterior(), [(run.rows.index,) for run in fitted.state.runs])
-    for place, run in enumerate(fitted.state.runs):
-        others = _without(fitted, place)
-        alone = beside_others(others, others.posterior(), [run], fitted.scales)
+    groups = [(run.rows.index,) for run in state.runs]
+    together = beside_all(fitted, fitted.posterior(), groups)
+    for place, run in enumerate(state.runs):
+        chosen = [k for k in range(len(state.runs)) if k != place]
+        rest = replace(
+            state,
+            runs=tuple(state.runs[k] for k in chosen),
+            scales=state.scales[chosen],
+            own=tuple(state.own[k] for k in chosen),
+            residual=tuple(state.residual[k] for k in chosen),
+            kept=tuple(state.kept[k] for k in chosen),
+        )
+        sizes = Sizes(state.layout, rest.own_kinds)
+        values = dict(zip(fitted.sizes.names, fitted.x.tolist(), strict=True))
+        others = Fitted(state=rest, sizes=sizes, x=np.array([values[name] for name in sizes.names]))
+        expected = others.posterior()
+        moved = replace(others, state=moved_state(rest, expected, sizes.own_scales(others.x)))
+        alone = beside_others(moved, expected, [run], fitted.scales)
         assert together[run.rows.index,].times == pytest.approx(alone.times, rel=0.02)
-
-
-def test_many_readings_make_a_small_difference_sure_and_not_large(
-    bench: tuple[World, Array], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A ball bar reads thousands of times around a circle: what its model lacks is then certain, and as small."""
-    fitted = _of_all(*bench, monkeypatch)
-    place = next(k for k, one in enumerate(fitted.state.runs) if one.rows.run.id == "Y2")
-    run, others = fitted.state.runs[place], _without(fitted, place)
-    each = np.repeat(np.arange(run.reading.size), 100)
-    rows = replace(
-        run.rows,
-        at=run.rows.at[each],
-        positions=run.rows.positions[:, each],
-        passed=run.rows.passed[each],
-        steps=np.full(each.size, 1e3),  # so far apart that noise is white
-    )
-    wave = fitted.state.noise[run.noise_group].sigma * np.sin(np.linspace(0.0, 25.0, run.reading.size))
-
-    def far(times: float) -> Far:
-        reading, good = (run.reading + times * wave)[each], np.ones(each.size, dtype=bool)
-        dense = replace(run, rows=rows, reading=reading, repeats=run.repeats[each], good=good)
-        return beside_others(others, others.posterior(), [dense], fitted.scales)
-
-    small, large = far(3.0), far(40.0)
-    assert small.log_p < -SURE
-    assert small.of_readings < 1.5
-    assert MISFIT_OF_RUN < large.of_readings < 40.0
 
 
 def test_readings_as_they_should_be_contradict_nothing(bench: tuple[World, Array]) -> None:

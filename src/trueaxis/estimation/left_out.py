@@ -35,7 +35,6 @@ AS_FAR = 0.95  # of the distance of several runs: one run is set up wrongly more
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
 NOTHING = 1e-6  # of the noise: a variance that is rounding, where the others let expect nothing of a direction
-CHANCE = 3.0  # standard deviations of one direction that may be chance, of the tens that a run has
 MOST_DIRECTIONS = 800  # of a group: half a second; of larger ones the runs are judged alone
 
 Group = tuple[int, ...]  # runs, by their index
@@ -44,22 +43,19 @@ Group = tuple[int, ...]  # runs, by their index
 @dataclass(frozen=True, slots=True)
 class Far:
     """How far runs are from what others let expect. log_p: logarithm of the probability that noise takes them as far;
-    times: root mean square of that over the directions in which unknowns change readings, in units of its standard
-    deviation; of_readings: root mean square over the readings of what of it is beyond CHANCE, in units of their noise.
+    times: root mean square of that, in units of its standard deviation.
     """
 
     log_p: float
     times: float
-    of_readings: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Contradiction:
     """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation,
     root mean square of several directions; log_p: logarithm of the probability that they are as far by noise;
-    zeros_free: root mean square of how far the readings are for sure, over their noise, where their own zeros may be
-    anything; without: (n,), the unknowns as the others tell them, without runs that contradicted them before either;
-    spread: (n, r), a root of their covariance.
+    zeros_free: the same where their own zeros may be anything; without: (n,), the unknowns as the others tell them,
+    without runs that contradicted them before either; spread: (n, r), a root of their covariance.
     """
 
     runs: Group
@@ -74,8 +70,7 @@ class Contradiction:
 class _Rows:
     """A run in the r directions in which unknowns may change its readings: own (r, k), whitened derivatives by its own
     unknowns in their sizes (k, 1), mm or rad, and others (r, n); left: (r,), what is left of the readings; noise:
-    variance of what is left in all other directions; freedom: by how many readings that is known; readings: how many
-    count.
+    variance of what is left in all other directions; freedom: by how many readings that is known.
     """
 
     own: FloatArray
@@ -84,7 +79,6 @@ class _Rows:
     left: FloatArray
     noise: float
     freedom: float
-    readings: int
 
 
 Without = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of some runs
@@ -135,7 +129,7 @@ def contradiction(runs: Group, far: Far, free: Far, without: Fitted, expected: P
         runs=runs,
         times=far.times,
         log_p=far.log_p,
-        zeros_free=free.of_readings,
+        zeros_free=free.times,
         without=without.state.unknowns,
         spread=expected.spread * without.state.layout.sizes[:, np.newaxis],
     )
@@ -259,8 +253,7 @@ def _rows(
     turned, root, _ = qr(by_size, mode="economic", pivoting=True)
     directions = turned[:, np.abs(np.diag(root)) > TOLD]
     rest = triangle[:, -1] - directions @ (directions.T @ triangle[:, -1])
-    readings = int(one.good.sum())
-    further = max(readings - directions.shape[1], 0)
+    further = max(int(one.good.sum()) - directions.shape[1], 0)
     usual = 1.0 if one.noise_group in state.stated else 1.0 / scale**2
     return _Rows(
         own=directions.T @ by_size[:, : sizes.size],
@@ -269,7 +262,6 @@ def _rows(
         left=directions.T @ triangle[:, -1],
         noise=(AS_MANY * usual + float(rest @ rest)) / (AS_MANY + further),
         freedom=AS_MANY + further,
-        readings=readings,
     )
 
 
@@ -283,8 +275,5 @@ def _far(rows: Sequence[_Rows], covariance: FloatArray, least: float = 0.0, seen
         left, covariance = seen.T @ left, seen.T @ covariance @ seen
     variance, turned = np.linalg.eigh(covariance)
     told = variance > least
-    squares, variance = (turned.T @ left)[told] ** 2, variance[told]
-    times, k = float(np.sum(squares / variance)), max(squares.size, 1)
-    beyond = float(np.maximum(squares - CHANCE**2 * variance, 0.0).sum()) / max(sum(one.readings for one in rows), 1)
-    log_p = log_f_tail(times / k, k, sum(one.freedom for one in rows))
-    return Far(log_p=log_p, times=float(np.sqrt(times / k)), of_readings=float(np.sqrt(beyond)))
+    square, k = float(np.sum((turned.T @ left)[told] ** 2 / variance[told])), max(int(told.sum()), 1)
+    return Far(log_f_tail(square / k, k, sum(one.freedom for one in rows)), float(np.sqrt(square / k)))
