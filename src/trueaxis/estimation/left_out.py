@@ -7,7 +7,8 @@ run, in values, sizes and noise. So the likeliest run is left out on trial, all 
 judged by what is then expected of it.
 
 A run is judged by its own noise: what no error of a machine or a set-up could be, beside the noise of its instrument,
-which counts for AS_MANY readings as everywhere.
+which counts for AS_MANY readings as everywhere. What that noise is where an error could be as well, it says by its form
+alone, which however many readings tell no better than AS_MANY: so many are the degrees of freedom.
 """
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
@@ -70,7 +71,7 @@ class Contradiction:
 class _Rows:
     """A run in the r directions in which unknowns may change its readings: own (r, k), whitened derivatives by its own
     unknowns in their sizes (k, 1), mm or rad, and others (r, n); left: (r,), what is left of the readings; noise:
-    variance of what is left in all other directions; freedom: by how many readings that is known.
+    variance of what is left in all other directions.
     """
 
     own: FloatArray
@@ -78,7 +79,6 @@ class _Rows:
     sizes: FloatArray
     left: FloatArray
     noise: float
-    freedom: float
 
 
 Without = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of some runs
@@ -261,7 +261,6 @@ def _rows(
         sizes=sizes[:, np.newaxis],
         left=directions.T @ triangle[:, -1],
         noise=(AS_MANY * usual + float(rest @ rest)) / (AS_MANY + further),
-        freedom=AS_MANY + further,
     )
 
 
@@ -276,4 +275,4 @@ def _far(rows: Sequence[_Rows], covariance: FloatArray, least: float = 0.0, seen
     variance, turned = np.linalg.eigh(covariance)
     told = variance > least
     square, k = float(np.sum((turned.T @ left)[told] ** 2 / variance[told])), max(int(told.sum()), 1)
-    return Far(log_f_tail(square / k, k, sum(one.freedom for one in rows)), float(np.sqrt(square / k)))
+    return Far(log_f_tail(square / k, k, AS_MANY), float(np.sqrt(square / k)))
