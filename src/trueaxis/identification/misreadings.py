@@ -9,6 +9,7 @@ from trueaxis.estimation.misread import LEAST_NOISE, SURE, How, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
+from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
@@ -24,7 +25,6 @@ READS: Mapping[How, str] = {
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.
 LEAST_MACHINE = 1.0 / 30.0
 MOST_RUNS = 10  # that are listed
-LEAST_P = 1e-12  # smaller probabilities are no figures: the tails of noise are not known so far out
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

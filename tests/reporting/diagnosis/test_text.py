@@ -85,8 +85,8 @@ def test_of_many_classes_the_largest_are_named_and_the_others_counted() -> None:
 def test_stale_values_are_said_with_place_size_and_uncertainty() -> None:
     lines = summary_text(builders.diagnosis("recalibrate")).splitlines()
     assert lines[1:3] == [
-        "stale: EYY from 300 to 400 mm by 0.700 um, u 0.10 um (p of the whole 1e-9)",
-        "stale: EC0X by -5.20 urad, u 0.40 urad (p of the whole 2e-7)",
+        "stale: EYY from 300 to 400 mm by 0.700 um, u 0.10 um (p of the whole change 1e-9)",
+        "stale: EC0X by -5.20 urad, u 0.40 urad (p of the whole change 2e-7)",
     ]
     beside = summary_text(replace(builders.diagnosis("explained"), stale=builders.STALE))
     assert "stale: EYY from 300 to 400 mm" in beside

@@ -42,7 +42,7 @@ def test_a_size_with_its_expanded_uncertainty(value: float, u: float, unit: str,
 def test_numbers_without_an_end() -> None:
     assert quantity(math.nan, "mm") == "unknown"
     assert ascii_only(quantity(0.0, "mm")) == "0 um"
-    assert ascii_only(probability(0.0)) == "below 1e-300"
+    assert ascii_only(probability(0.0)) == "below 1e-12"
     assert probability(0.034) == "0.034"
 
 
@@ -91,7 +91,7 @@ def test_numbers_for_people_and_their_console_form() -> None:
         (probability(2.34e-12), "2.3 \u00d7 10\u207b\u00b9\u00b2", "2.3e-12"),
         (equals_p(2.34e-12), "p = 2.3 \u00d7 10\u207b\u00b9\u00b2", "p = 2.3e-12"),
         (equals_p(1.0), "p above 0.5", "p above 0.5"),
-        (equals_p(0.0), "p below 1 \u00d7 10\u207b\u00b3\u2070\u2070", "p below 1e-300"),
+        (equals_p(0.0), "p below 1 \u00d7 10\u207b\u00b9\u00b2", "p below 1e-12"),
         (percent(-0.031), "\N{MINUS SIGN}3 %", "-3 %"),
         (with_expanded(-0.0061, 0.0002, "mm"), "\N{MINUS SIGN}6.10 \u00b5m \u00b1 0.40 \u00b5m (k = 2)",
          "-6.10 um +/- 0.40 um (k = 2)"),

@@ -7,7 +7,8 @@ Noise of an instrument is white (more in some runs than in others) and slow; its
 each run of a ball bar stands a little elsewhere.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,9 +20,10 @@ from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RunNoise
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
 from trueaxis.estimation.noise import Noise
-from trueaxis.estimation.noise_of_residuals import SMALLEST
+from trueaxis.estimation.noise_of_residuals import SMALLEST, first_noise
 from trueaxis.estimation.state import DISPLAY
 
+TIMES = (1 / 16, 1 / 4, 1.0, 4.0)  # what is expected of errors of the machine: values given are nearly right, or zero
 FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
@@ -45,6 +47,9 @@ def noise_of_runs(
         blocks = list(blocks_of(rows, base, values))
         guesses = {name: _guess(blocks, groups, name) for name in names}
         laws, fit = restricted(blocks, groups, guesses, before)
+        silent = [name for name in names if laws[name].freedom < 1.0]
+        if silent:
+            laws, fit = _told_by_errors_expected(base, values, blocks, guesses, (laws, fit), silent)
     scales = np.ones(len(groups)) if fit is None else fit.scales
     certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
     found, told = dict[int, RunNoise](), list[NoiseOf]()
@@ -88,6 +93,32 @@ def noise_of_runs(
                 freedom=float(certain[place]),
             )
     return tuple(found[place] for place in range(len(groups))), tuple(told), fit
+
+
+def _told_by_errors_expected(
+    base: Base,
+    values: FloatArray,
+    blocks: Sequence[Block],
+    guesses: Mapping[str, Guess],
+    free: tuple[Mapping[str, Law], Found],
+    silent: Sequence[str],
+) -> tuple[dict[str, Law], Found]:
+    """The noise of the instruments of which the base, where it is free, leaves no reading: beside errors of the machine
+    as large as expected, times that of TIMES which the readings make likeliest. free: what is told of the others.
+    """
+    groups = [one.noise_group for one in base.runs]
+    guesses = {**guesses, **{name: _guess_of_neighbours(base, values, name) for name in silent}}
+    each = (restricted([one.expecting(base, times) for one in blocks], groups, guesses, None) for times in TIMES)
+    laws, found = min(each, key=lambda one: one[1].unlikely)
+    mine = np.isin(groups, silent)
+    scales, told = (np.where(mine, *both) for both in ((found.scales, free[1].scales), (found.told, free[1].told)))
+    return {**free[0], **{name: laws[name] for name in silent}}, replace(free[1], scales=scales, told=told)
+
+
+def _guess_of_neighbours(base: Base, values: FloatArray, name: str) -> Guess:
+    """Of the noise of a group of runs, by how readings differ from their neighbours."""
+    of_runs = [values[one.rows.at] for one in base.runs if one.noise_group == name]
+    return Guess(first_noise(of_runs).white, 0.0)
 
 
 def _guess(blocks: Sequence[Block], groups: Sequence[str], name: str) -> Guess:

@@ -5,7 +5,7 @@ of a target, from one side, with one set-up; what differs between them is noise,
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise, zip_longest
 
 import numpy as np
@@ -80,18 +80,25 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Block:
-    """Parts whose noise is told together. free: (n, k), orthonormal, the base beside what is unknown of each run;
-    values: (n,), mm.
+    """Parts whose noise is told together. at: (n,), rows of the data; free: (n, k), the base beside what is unknown of
+    each run: orthonormal, or by chance, one standard deviation each; values: (n,), mm.
     """
 
     parts: tuple[Part, ...]
+    at: IntArray
     free: FloatArray
     values: FloatArray
+    by_chance: bool = False
+
+    def expecting(self, base: Base, times: float) -> "Block":
+        """With errors of the machine by chance, so many times as large as expected."""
+        columns = np.hstack([base.columns.at(self.at) * base.wide(times), base.by_chance[self.at]])
+        return replace(self, free=_less_own(self.parts, columns), by_chance=True)
 
 
 def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
     """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
-    with the others; a run is in one block alone.
+    with the others; a run is in one block alone. The base is free.
     """
     place = np.empty(rows.size, dtype=np.int64)
     for number, run in enumerate(base.runs):
@@ -152,9 +159,14 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
     every = np.concatenate(groups)
     free = np.hstack([base.columns.at(every), base.by_chance[every]])
     size = np.linalg.norm(free, axis=0)
-    for one in parts:
-        free[one.rows] -= one.own @ (one.own.T @ free[one.rows])
-    return Block(tuple(parts), orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size]), values[every])
+    free = _less_own(parts, free)
+    free = orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size])
+    return Block(tuple(parts), every, free, values[every])
+
+
+def _less_own(parts: Sequence[Part], columns: FloatArray) -> FloatArray:
+    """(n, k): what is left of columns beside what is unknown of each run."""
+    return np.concatenate([columns[one.rows] - one.own @ (one.own.T @ columns[one.rows]) for one in parts])
 
 
 def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:

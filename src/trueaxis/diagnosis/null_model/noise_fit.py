@@ -62,12 +62,13 @@ class Law:
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
     """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each;
-    told: (n_runs,), information of the readings on the logarithm of each.
+    told: (n_runs,), information of the readings on the logarithm of each; unlikely: minus the log likelihood.
     """
 
     sizes: FloatArray
     scales: FloatArray
     told: FloatArray
+    unlikely: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -164,7 +165,8 @@ class Likelihood:
         found, held, root = [], [], 0.0
         sizes, values = self.sizes(x), self.block.values
         count = self.block.free.shape[1]
-        squares, whole, of_values = np.zeros((count, count)), np.zeros(count), np.zeros(count)
+        whole, of_values = np.zeros(count), np.zeros(count)
+        squares = np.eye(count) if self.block.by_chance else np.zeros((count, count))
         for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit, places = sizes[number]
@@ -226,13 +228,13 @@ def restricted(
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    x = minimize(
-        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
-    ).x
+    options = {"ftol": STILL, "maxiter": MOST_STEPS}
+    best = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
+    x = best.x
     laws, information = _averaged(of, list(first), x)
     for block in blocks[1:]:
         information += _scaled(Likelihood(block, instruments, first), x)
-    return laws, Found(of.sizes(x), np.exp(x[of.count :]), information)
+    return laws, Found(of.sizes(x), np.exp(x[of.count :]), information, float(best.fun))
 
 
 def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:

@@ -3,6 +3,7 @@
 import math
 import re
 
+from trueaxis.estimation.tails import LEAST_P
 from trueaxis.io.safe_text import plain_zero
 
 MICRO = "\N{MICRO SIGN}"
@@ -94,10 +95,10 @@ def micrometres(value: float) -> str:
 
 
 def probability(p: float) -> str:
-    """`0.03`; `2 x 10^-12` with signs of its own; `below` 10^-300 where it underflows, `above` a half: no evidence."""
+    """`0.03`; `2 x 10^-9` with signs of its own; `below` the least that is a figure, `above` a half: no evidence."""
     if p > NO_EVIDENCE:
         return f"above{NBSP}{written(NO_EVIDENCE, 'g')}"
-    return f"below{NBSP}{written(1e-300, '.2g')}" if p < 1e-300 else written(p, ".2g")
+    return f"below{NBSP}{written(LEAST_P, 'g')}" if p < LEAST_P else written(p, ".2g")
 
 
 def equals_p(p: float) -> str:
