@@ -15,7 +15,7 @@ from tests.diagnosis.prepared import SIGMA, FloatArray, dense_covariance, prepar
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null_model.base import Base, base_of
-from trueaxis.diagnosis.null_model.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
+from trueaxis.diagnosis.null_model.noise import COURSES, EXPECTED, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
 from trueaxis.diagnosis.null_model.noise_precision import precision_of
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.result import NoiseOf
@@ -184,6 +184,25 @@ def test_without_repeats_the_course_of_each_run_tells() -> None:
     found = noise_of(smooth + drawn(rows, 1), rows, base)
     assert found.origin == COURSES
     assert found.white == pytest.approx(SIGMA, rel=0.35)  # slow noise the course has taken away, any is allowed
+
+
+@pytest.mark.parametrize("times", [0.02, 0.25, 1.0])
+def test_lines_of_few_targets_tell_it_beside_errors_as_large_as_expected(times: float) -> None:
+    """Eight targets from one side, which a curve of degree 12 follows whatever it reads: their noise was taken for as
+    large as the values themselves. Values given that are nearly right leave smaller errors than expected.
+    """
+    every, _ = measured(Design(lines=4, repeats=1, targets=8, ball_bar=False))
+    rows = every.only((every.directions >= 0).all(axis=0))
+    base = base_of(prepared(Case(seed=1, design=DESIGN, noise="none", given="exact")).model, rows)
+    ratio = []
+    for seed in range(DRAWS):
+        size = times * base.expected[: base.of_machine]
+        errors = base.machine @ (size * np.random.default_rng([seed, 5]).standard_normal(size.size))
+        found = noise_of(errors + drawn(rows, seed), rows, base)
+        assert found.origin == EXPECTED
+        ratio.append(found.sigma / SIGMA)
+    assert 0.5 < float(np.exp(np.mean(np.log(ratio)))) < 2.0
+    assert 0.3 < min(ratio) < max(ratio) < 3.0
 
 
 def test_noise_that_is_given_is_taken() -> None:

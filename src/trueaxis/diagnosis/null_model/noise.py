@@ -26,7 +26,8 @@ from trueaxis.estimation.state import DISPLAY
 TIMES = (1 / 16, 1 / 4, 1.0, 4.0)  # what is expected of errors of the machine: values given are nearly right, or zero
 FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
-REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
+# where a noise comes from
+REPEATS, COURSES, EXPECTED, STATED, UNKNOWN = "repeats", "courses", "expected", "given", "unknown"
 STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
 
 
@@ -42,7 +43,7 @@ def noise_of_runs(
     groups = [one.noise_group for one in base.runs]
     names = list(dict.fromkeys(groups))
     if noise_um is not None:
-        laws, fit = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None
+        laws, fit, silent = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None, []
     else:
         blocks = list(blocks_of(rows, base, values))
         guesses = {name: _guess(blocks, groups, name) for name in names}
@@ -59,6 +60,8 @@ def noise_of_runs(
         at = np.concatenate([base.runs[place].rows.at for place in members])
         origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
         law = laws[name]
+        if name in silent:
+            origin = EXPECTED
         if law.freedom < 1.0:
             law, origin = Law(white=max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
         step = 0.0 if fit is None else _step(rows, base, members)

@@ -62,7 +62,7 @@ class Law:
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
     """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each;
-    told: (n_runs,), information of the readings on the logarithm of each; unlikely: minus the log likelihood.
+    told: (n_runs,), information on the logarithm of each; unlikely: minus the logarithm of the likelihood.
     """
 
     sizes: FloatArray
@@ -228,13 +228,12 @@ def restricted(
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    options = {"ftol": STILL, "maxiter": MOST_STEPS}
-    best = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
-    x = best.x
-    laws, information = _averaged(of, list(first), x)
+    ends = {"ftol": STILL, "maxiter": MOST_STEPS}
+    best = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=ends)
+    laws, information = _averaged(of, list(first), best.x)
     for block in blocks[1:]:
-        information += _scaled(Likelihood(block, instruments, first), x)
-    return laws, Found(of.sizes(x), np.exp(x[of.count :]), information, float(best.fun))
+        information += _scaled(Likelihood(block, instruments, first), best.x)
+    return laws, Found(of.sizes(best.x), np.exp(best.x[of.count :]), information, float(best.fun))
 
 
 def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:

@@ -41,7 +41,9 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
             yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
     if diagnosis.misfits:
         yield misfit(diagnosis)
-    yield from (f"stale: {stale_change(one)} (p of the whole change {probability(one.p_value)})" for one in diagnosis.stale)
+    yield from (
+        f"stale: {stale_change(one)} (p of the whole change {probability(one.p_value)})" for one in diagnosis.stale
+    )
     yield from _gain(diagnosis.gain)
     further = of_verdict(diagnosis)
     yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in further)

@@ -34,7 +34,7 @@ MOST_STRUCTURES = 5  # named in a line
 MOST_MISFITS = 5
 MOST_ALTERNATIVES = 4  # to a cause that are named in a line
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
-ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
+ESTIMATED = frozenset({"repeats", "courses", "expected"})  # origins of a noise that has degrees of freedom
 
 
 def effect_title(effect: Effect) -> str:
@@ -270,6 +270,7 @@ def noise_origin(origin: str) -> str:
     return {
         "repeats": "repeats",
         "courses": "nothing is repeated, from the residuals of the null model",
+        "expected": "nothing is repeated, and targets are few: what errors of the size of [prior] leave",
         "given": "given",
         "unknown": "unknown: too few readings",
     }[origin]
