@@ -111,8 +111,13 @@ def _told_by_errors_expected(
     """
     groups = [one.noise_group for one in base.runs]
     guesses = {**guesses, **{name: _guess_of_neighbours(base, values, name) for name in silent}}
-    each = (restricted([one.expecting(base, times) for one in blocks], groups, guesses, None) for times in TIMES)
-    laws, found = min(each, key=lambda one: one[1].unlikely)
+    tried: list[tuple[dict[str, Law], Found]] = []
+    for times in TIMES:
+        beside = [one.expecting(base, times) for one in blocks]
+        tried.append(restricted(beside, groups, guesses, tried[-1][1] if tried else None))
+        if len(tried) > 1 and tried[-1][1].unlikely > tried[-2][1].unlikely:
+            break
+    laws, found = min(tried, key=lambda one: one[1].unlikely)
     mine = np.isin(groups, silent)
     scales, told = (np.where(mine, *both) for both in ((found.scales, free[1].scales), (found.told, free[1].told)))
     return {**free[0], **{name: laws[name] for name in silent}}, replace(free[1], scales=scales, told=told)

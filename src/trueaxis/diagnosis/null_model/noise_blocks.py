@@ -19,6 +19,7 @@ from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RANK, settling, wandering
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.estimation.instruments import BALL_OF_RUN
+from trueaxis.estimation.noise_of_residuals import SMALLEST
 
 MOST = 400  # readings that are looked at together; the cost grows with their cube
 ENOUGH = 1500  # contrasts: they tell the noise to 2 %
@@ -93,7 +94,9 @@ class Block:
     def expecting(self, base: Base, times: float) -> "Block":
         """With errors of the machine by chance, so many times as large as expected."""
         columns = np.hstack([base.columns.at(self.at) * base.wide(times), base.by_chance[self.at]])
-        return replace(self, free=_less_own(self.parts, columns), by_chance=True)
+        directions, sizes, _ = np.linalg.svd(_less_own(self.parts, columns), full_matrices=False)
+        seen = sizes > SMALLEST  # most curves are too small, or too much like others, to be seen at all
+        return replace(self, free=directions[:, seen] * sizes[seen], by_chance=True)
 
 
 def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
