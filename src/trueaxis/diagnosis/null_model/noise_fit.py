@@ -165,8 +165,7 @@ class Likelihood:
         found, held, root = [], [], 0.0
         sizes, values = self.sizes(x), self.block.values
         count = self.block.free.shape[1]
-        whole, of_values = np.zeros(count), np.zeros(count)
-        squares = np.eye(count) if self.block.by_chance else np.zeros((count, count))
+        whole, of_values, squares = np.zeros(count), np.zeros(count), float(self.block.by_chance) * np.eye(count)
         for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit, places = sizes[number]
@@ -228,8 +227,9 @@ def restricted(
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    ends = {"ftol": STILL, "maxiter": MOST_STEPS}
-    best = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=ends)
+    best = minimize(
+        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
+    )
     laws, information = _averaged(of, list(first), best.x)
     for block in blocks[1:]:
         information += _scaled(Likelihood(block, instruments, first), best.x)
