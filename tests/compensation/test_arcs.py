@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench, execute
 from trueaxis.compensation.arcs import ArcError, arc_about, arc_of_radius
-from trueaxis.compensation.columns import Arcs, chords
+from trueaxis.compensation.columns import Arcs, chord_counts, chords
 
 TOLERANCE = 0.002
 WORD = 0.0005 * math.sqrt(3) + 1e-9
@@ -111,7 +111,8 @@ def test_any_arc(radius: float, begin: float, sweep: float, sense: float, tolera
     by_radius = arc_of_radius(start, end, radius if sweep <= math.pi else -radius, (0.0, 0.0, sense), 1e-9)
     # the centre by R is ill-conditioned where the ends are opposite
     assert math.dist(by_radius.centre[:2], centre[:2]) < 1e-5 * radius + 1e-6
-    cut = chords(np.array([start]).T, np.array([end]).T, Arcs.of([arc], [0], [False], [True]), tolerance)
+    count = chord_counts(np.array([radius]), np.array([arc.sweep]), tolerance)
+    cut = chords(np.array([start]).T, np.array([end]).T, Arcs.of([arc], [0], [False], [True]), count)
     assert cut.points[:, -1] == pytest.approx(end)
     path = np.concatenate([np.array([start]).T, cut.points], axis=1)
     middle = 0.5 * (path[:, 1:] + path[:, :-1])

@@ -192,3 +192,28 @@ def test_random_arcs(
     with tempfile.TemporaryDirectory() as folder, runs_of(fewest):
         bench = Bench(Path(folder))
         assert errors(bench, HEAD + "\n".join(lines) + "\n", machine)[1] < 0.0014
+
+
+def test_as_few_points_as_errors_allow(bench: Bench) -> None:
+    """An arc is looked at every 2.5 mm where errors are smooth, and by all of its chords where they wave."""
+    program = HEAD + "G2 X340. Y-200. I20. J0.\n"
+    way = 20.0 * math.pi
+    errors(bench, program)
+    assert way / 2.5 < bench.report.points < way / 2.5 + 8
+    waving = XyzMachine({"EXX": lambda x: 0.003 * np.sin(2.0 * math.pi * x / 5.0)})
+    _, after, written = errors(bench, program, waving)
+    assert bench.report.points > 2.0 * way / 2.5
+    assert after < 0.0012
+    assert re.search(rb"G2 ", written)
+
+
+def test_an_arc_that_leaves_the_travel_between_its_points(bench: Bench) -> None:
+    """Of few chords X would end at 309.981, 309.830 and 309.096; the arc reaches 310."""
+    program = HEAD + "G1 X309.981 Y-199.564 F100\nG2 X309.096 Y-202.868 I-4.981 J-0.436\n"
+    for most, outside in ((310.01, False), (309.99, True)):
+        narrow = XyzMachine(MACHINE.curves, MACHINE.squareness, travel={**MACHINE.travel, "X": (-600.0, most)})
+        if outside:
+            with pytest.raises(InputError, match=r"X = (309\.99|310).* is outside its travel"):
+                bench.run(program, narrow, "nc", arcs="keep")
+        else:
+            assert re.search(rb"G2 ", bench.run(program, narrow, "nc", arcs="keep"))

@@ -97,8 +97,15 @@ class Chords(NamedTuple):
     points: FloatArray
 
 
-def chords(starts: FloatArray, ends: FloatArray, arcs: Arcs, tolerance: float) -> Chords:
-    """Cut arcs into chords whose ends lie on them; starts and ends are X Y Z, mm, (3, n_arcs)."""
+def arc_radii(starts: FloatArray, ends: FloatArray, arcs: Arcs) -> FloatArray:
+    """Distances of both ends from the axes of arcs, (2, n_arcs), mm; starts and ends are X Y Z, mm, (3, n_arcs)."""
+    offs = (places - arcs.centre for places in (starts, ends))
+    across = (off - np.einsum("in,in->n", off, arcs.normal) * arcs.normal for off in offs)
+    return np.stack([np.sqrt(np.einsum("in,in->n", off, off)) for off in across])
+
+
+def chords(starts: FloatArray, ends: FloatArray, arcs: Arcs, count: NDArray[np.int64]) -> Chords:
+    """Cut arcs into chords whose ends lie on them; starts and ends are X Y Z, mm, (3, n_arcs); count: (n_arcs,)."""
     centre, normal, sweep = arcs.centre, arcs.normal, arcs.sweep
     rise0 = np.einsum("in,in->n", starts - centre, normal)
     rise1 = np.einsum("in,in->n", ends - centre, normal)
@@ -108,8 +115,6 @@ def chords(starts: FloatArray, ends: FloatArray, arcs: Arcs, tolerance: float) -
     radius1 = np.sqrt(np.einsum("in,in->n", across1, across1))
     first = across0 / radius0
     second = np.cross(normal, first, axis=0)
-    count = chord_counts(np.maximum(radius0, radius1), sweep, tolerance)
-
     arc = np.repeat(np.arange(len(arcs)), count)
     number = np.arange(arc.size) - np.repeat(np.cumsum(count) - count, count) + 1
     share = number / count[arc]
@@ -199,21 +204,21 @@ class PlainRun:
         """(n,): whether the tool may run through the end of a block, as far as the run says."""
         return self.passable & (self.places.after - self.places.end <= len(self.eol))
 
-    def loads(self, start: Sequence[float] | None, spacing: float, chords: NDArray[np.int64]) -> FloatArray:
-        """About how many points each block takes: one for each `spacing` of its way, and the chords of arcs.
+    def loads(self, start: Sequence[float] | None, spacing: float, chords: FloatArray) -> FloatArray:
+        """About how many points each block takes: one for each `spacing` of its way, or the chords of its arc.
 
         start: of the first block, which has no length where that is not given.
         """
         before = self.ends[:, :1] if start is None else np.array(start)[:, np.newaxis]
         way = np.sqrt((np.diff(self.ends, axis=1, prepend=before) ** 2).sum(axis=0))
         loads = 1.0 + np.where(self.motion > 0, way / spacing, 0.0)
-        loads[self.arcs.index] += chords
+        loads[self.arcs.index] = chords
         return np.asarray(loads)
 
-    def chords(self, rows: Sequence[int], tolerance: float) -> NDArray[np.int64]:
-        """How many chords each arc takes at most, within a tolerance; rows: of X Y Z."""
-        radius = np.sqrt(((columns_of(self.ends[rows], self.arcs.index) - self.arcs.centre) ** 2).sum(axis=0))
-        return chord_counts(radius, self.arcs.sweep, tolerance)
+    def radii(self, rows: Sequence[int]) -> FloatArray:
+        """Radius of each arc at most, mm; rows: of X Y Z."""
+        off = columns_of(self.ends[rows], self.arcs.index) - self.arcs.centre
+        return np.asarray(np.sqrt((off**2).sum(axis=0)))
 
     def parts(self, loads: FloatArray, most: float, first: float) -> Iterator[tuple["PlainRun", float]]:
         """The run in parts that just reach `most` points, the first of them `first`, with their points."""

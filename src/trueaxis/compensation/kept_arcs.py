@@ -11,7 +11,9 @@ from trueaxis.compensation.machine import LINEAR, FloatArray, rotary_rows
 
 LARGEST_SWEEP = math.pi / 2.0  # rad of a piece: its ends determine it well, by I J K and by R, and it is no full circle
 FEWEST_CHORDS = 3  # fewer are as short as lines
+FEWEST_OF_FEW = 2  # the middle tells whether the words make the arc, the chords' middles whether errors bend more
 SHARE = 0.98  # of the tolerance: the rest is what the points themselves are off
+SHARE_OF_FEW = 0.9  # the rest is what errors may bend between points that lie apart
 _PLANE_OF = ((1, 2), (2, 0), (0, 1))  # rows in the plane across an axis, so that G3 turns from first to second
 _BESIDE = 1e-6  # rad: what rounding puts a point of an arc before its start or behind its end
 
@@ -42,12 +44,14 @@ NO_PIECES = Pieces(np.zeros(0, np.int64), np.zeros((2, 0)), np.zeros((2, 0), np.
 
 class ArcBlocks(NamedTuple):
     """positions: (n_axes, n), where the points are reached, those in the midst of a block on its arc. ends: (n,),
-    whether each is the end of a block. arcs: by the points that end them.
+    whether each is the end of a block. arcs: by the points that end them. apart: moves that are no arcs all along, and
+    have too few chords to be lines.
     """
 
     positions: FloatArray
     ends: NDArray[np.bool_]
     arcs: Pieces
+    apart: NDArray[np.int64]
 
     def blocks(self, shares: FloatArray) -> tuple[NDArray[np.int64], FloatArray, Pieces]:
         """Indices of the points that end blocks, the share of time of each block, and the arcs by number of the block;
@@ -75,6 +79,7 @@ class _Open(NamedTuple):
 
 def arc_blocks(
     arcs: Arcs,
+    few: NDArray[np.bool_],
     owner: NDArray[np.int64],
     written: FloatArray,
     wanted: FloatArray,
@@ -85,47 +90,56 @@ def arc_blocks(
 ) -> ArcBlocks:
     """Join points of arcs to arcs where they lie on some.
 
-    owner: (n,), move of each point, ascending. written, wanted: (n_axes, n), as the words name them and before
-    rounding, mm and deg. previous: (n_axes,), position named by the words before; None: it is not certain. steps:
-    (n_axes, n), of words. allowed: (n,), largest distance of each point from where it is wanted, mm.
+    few: (k,), which arcs, all of them kept, have fewer chords than lines would have to be. owner: (n,), move of each
+    point, ascending. written, wanted: (n_axes, n), as the words name them and before rounding, mm and deg. previous:
+    (n_axes,), position named by the words before; None: it is not certain. steps: (n_axes, n), of words. allowed: (n,),
+    largest distance of each point from where it is wanted, mm.
     """
     ends = np.ones(owner.size, dtype=bool)
     if not set(LINEAR) <= set(axes) or not arcs.kept.any():
-        return ArcBlocks(written, ends, NO_PIECES)
+        return ArcBlocks(written, ends, NO_PIECES, np.zeros(0, np.int64))
     rows = [axes.index(axis) for axis in LINEAR]
     start = np.full(written.shape[0], np.nan) if previous is None else previous
     table = np.concatenate([start[:, None], written], axis=1)
-    arcs, first, last = _joinable(arcs, owner, table, previous is not None, list(rotary_rows(axes)))
+    may, first, last = _joinable(arcs, few, owner, table, previous is not None, list(rotary_rows(axes)))
+    share = np.where(few[may], SHARE_OF_FEW, SHARE)
     joiner = _Joiner(
-        arcs, table[rows], np.concatenate([start[rows, None], wanted[rows]], axis=1), steps[rows[0], first],
-        SHARE * allowed[first],
+        arcs.some(may), table[rows], np.concatenate([start[rows, None], wanted[rows]], axis=1), steps[rows[0], first],
+        share * allowed[first], np.where(few[may], FEWEST_OF_FEW, FEWEST_CHORDS),
     )  # fmt: skip
-    pieces = joiner.joined(_quarters(arcs, first, last))
+    pieces = joiner.joined(_quarters(arcs.sweep[may], first, last))
+    apart = few.copy()
+    apart[may] &= joiner.chords < last - first
     found = pieces.some(np.argsort(pieces.at))
     positions = written.copy()
     positions[rows] = joiner.placed[:, 1:]
     ends[joiner.inner - 1] = False
-    return ArcBlocks(positions, ends, found._replace(at=found.at - 1))
+    return ArcBlocks(positions, ends, found._replace(at=found.at - 1), arcs.index[apart])
 
 
 def _joinable(
-    arcs: Arcs, owner: NDArray[np.int64], table: FloatArray, certain: bool, rotary: list[int]
-) -> tuple[Arcs, NDArray[np.int64], NDArray[np.int64]]:
-    """Arcs that may stay arcs, and from where to where in the table their points are; certain: whether the first of
+    arcs: Arcs,
+    few: NDArray[np.bool_],
+    owner: NDArray[np.int64],
+    table: FloatArray,
+    certain: bool,
+    rotary: list[int],
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Which arcs may stay arcs, and from where to where in the table their points are; certain: whether the first of
     the table is. Rotary axes must not turn.
     """
     first, last = np.searchsorted(owner, arcs.index), np.searchsorted(owner, arcs.index + 1)
-    may = arcs.kept & (last - first >= FEWEST_CHORDS) & ((first > 0) | certain)
+    may = arcs.kept & ((last - first >= FEWEST_CHORDS) | few) & ((first > 0) | certain)
     if rotary:
         turned = np.concatenate([[0], np.cumsum((np.diff(table[rotary], axis=1) != 0.0).any(axis=0))])
         may &= turned[first] == turned[last]
-    return arcs.some(may), first[may], last[may]
+    return np.flatnonzero(may), first[may], last[may]
 
 
-def _quarters(arcs: Arcs, first: NDArray[np.int64], last: NDArray[np.int64]) -> _Open:
+def _quarters(sweep: FloatArray, first: NDArray[np.int64], last: NDArray[np.int64]) -> _Open:
     """Arcs in pieces of at most `LARGEST_SWEEP`."""
     count = last - first
-    parts = np.minimum(np.maximum(np.ceil(arcs.sweep / LARGEST_SWEEP - 1e-9), 1.0).astype(np.int64), count)
+    parts = np.minimum(np.maximum(np.ceil(sweep / LARGEST_SWEEP - 1e-9), 1.0).astype(np.int64), count)
     of = np.repeat(np.arange(parts.size), parts)
     number = np.arange(of.size) - np.repeat(np.cumsum(parts) - parts, parts)
     each = (count / parts)[of]
@@ -135,16 +149,23 @@ def _quarters(arcs: Arcs, first: NDArray[np.int64], last: NDArray[np.int64]) -> 
 
 class _Joiner:
     """Joins points of some arcs. placed: (3, m), the points, on the arcs that were made of them; inner: which are in
-    the midst of one.
+    the midst of one; chords: (k,), how many of each arc have been joined.
     """
 
     def __init__(
-        self, arcs: Arcs, written: FloatArray, wanted: FloatArray, step: FloatArray, limit: FloatArray
+        self,
+        arcs: Arcs,
+        written: FloatArray,
+        wanted: FloatArray,
+        step: FloatArray,
+        limit: FloatArray,
+        fewest: NDArray[np.int64],
     ) -> None:
         """written, wanted: (3, m); step: (k,), of the words of the centre, mm; limit: (k,), largest distance allowed,
-        mm.
+        mm; fewest: (k,), chords of an arc that is made.
         """
         self._arcs, self._written, self._wanted, self._step, self._limit = arcs, written, wanted, step, limit
+        self._fewest, self.chords = fewest, np.zeros(len(arcs), np.int64)
         self._rows = plane_rows(arcs.normal)
         self._sense = np.where(np.take_along_axis(arcs.normal, self._rows[2:], axis=0)[0] > 0.0, 1.0, -1.0)
         self.placed = written.copy()
@@ -153,9 +174,10 @@ class _Joiner:
     def joined(self, pieces: _Open) -> Pieces:
         """The arcs that pieces make, halved until they make some or are few chords."""
         found = [NO_PIECES]
-        while (pieces := pieces.some(pieces.last - pieces.first >= FEWEST_CHORDS)).of.size:
+        while (pieces := pieces.some(pieces.last - pieces.first >= self._fewest[pieces.of])).of.size:
             good, made = self._made(pieces)
             found.append(made)
+            np.add.at(self.chords, pieces.of[good], (pieces.last - pieces.first)[good])
             pieces = pieces.some(~good)
             middle = (pieces.first + pieces.last) // 2
             pieces = _Open(

@@ -30,6 +30,17 @@ WHOLE_PECK = (
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
 
+UNKNOWN_START = "a feed motion from an unknown position: only its end is compensated"
+
+
+def note_moves(moves: MoveTable, start: FloatArray, held: Held, axes: tuple[str, ...], notes: Notes) -> None:
+    """Note what the moves of a batch are to be known for; start: (n_axes,), before them; held: as in `note_held`."""
+    if np.isnan(start).any() and moves.motion[0] != Kind.RAPID:
+        notes.add(int(moves.lines[0]), UNKNOWN_START)
+    note_turns(moves, start, axes, notes)
+    note_held(moves, held, axes, notes)
+
+
 def note_held(moves: MoveTable, held: Held, axes: tuple[str, ...], notes: Notes) -> None:
     """Note axes that get no word; held: (n_axes, n_moves)."""
     for some in alike(held):

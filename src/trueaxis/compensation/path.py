@@ -247,32 +247,32 @@ class Path:
         return int(self.owner.size)
 
 
-def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_tolerance: float) -> Path:
-    """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known.
+def xyz_of(positions: FloatArray, axes: tuple[str, ...]) -> FloatArray:
+    """X Y Z, mm, (3, n), of positions (n_axes, n); 0 where there is no such axis."""
+    out = np.zeros((len(LINEAR), positions.shape[1]))
+    for row, axis in enumerate(axes):
+        if axis in LINEAR:
+            out[LINEAR.index(axis)] = positions[row]
+    return out
+
+
+def path_of(
+    moves: MoveTable, start: FloatArray, axes: tuple[str, ...], round_ones: Arcs, chord_count: NDArray[np.int64]
+) -> Path:
+    """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known. round_ones: those
+    that are arcs, with the number of chords of each.
 
     Where a move starts is not known either where its axes stand only where the program has not commanded them to.
     """
     ends = moves.ends
     starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
-    rapid, stated, round_ones = moves.motion == Kind.RAPID, moves.start_stated, moves.arcs
+    rapid, stated = moves.motion == Kind.RAPID, moves.start_stated
     arcs = round_ones.index
     if arcs.size == 0:
         starts[:, stated] = np.nan
         return Path(points=ends, origins=starts, owner=np.arange(len(moves)), rapid=rapid, halts=np.zeros_like(rapid))
-
-    def xyz(positions: FloatArray) -> FloatArray:
-        out = np.zeros((3, positions.shape[1]))
-        for row, axis in enumerate(axes):
-            if axis in LINEAR:
-                out[LINEAR.index(axis)] = positions[row]
-        return out
-
-    cut = chords(
-        xyz(columns_of(starts, arcs)),
-        xyz(columns_of(ends, arcs)),
-        round_ones,
-        chord_tolerance,
-    )
+    first, last = (xyz_of(columns_of(of, arcs), axes) for of in (starts, ends))
+    cut = chords(first, last, round_ones, chord_count)
     of_arc = arcs[cut.arc]
     on_arcs = np.empty((len(axes), of_arc.size))
     for row, axis in enumerate(axes):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.arc_chords import ArcChords
 from trueaxis.compensation.columns import NO_ARCS, PlainRun, columns_of
 from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.datum import FromDatum, FromDatumOnCourse, datum_shift
@@ -15,10 +16,10 @@ from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
 from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, rotary_rows
-from trueaxis.compensation.move_notes import note_held, note_turns
-from trueaxis.compensation.moves import Between, Item, KeptHole, Kind, Notes, Setup, Zero
+from trueaxis.compensation.move_notes import note_moves
+from trueaxis.compensation.moves import Between, Item, KeptHole, Notes, Setup, Zero
 from trueaxis.compensation.nc.kept_holes import BOTTOM, TOP, check_travel, drilled
-from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, path_of, standing
+from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, standing
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
@@ -163,7 +164,8 @@ class Compensator:
         start, self._programmed = self._programmed, moves.ends[:, -1]
         if self._faults.count:  # moves may be missing: where arcs would start is not known
             moves = moves.without_arcs()
-        path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
+        chords = ArcChords.of(moves, start, self._model, self._settings.chord_tolerance, self._arcs_stay)
+        path, _ = chords.on(moves, start, self._model.axes)
         note_outside(moves, path, self._model, self._tool_point, self._faults)
         if self._faults.count:
             return ""
@@ -171,32 +173,31 @@ class Compensator:
         first = ahead.part(0, 1) if isinstance(ahead, PlainRun) else ahead
         after = None if first is None else MoveTable([first], len(self._model.axes))
         follows = follows_at_once(batch.items, moves, after is not None and bool(after.passable[0]))
-        of_moves = iter(self._compensated(moves, start, path, follows, after))
+        note_moves(moves, start, moves.held & self._corrected, self._model.axes, self._notes)
+        of_moves = iter(self._compensated(moves, start, (path, chords), follows, after))
         return "".join(item if isinstance(item, str) else next(of_moves) for item in batch.items)
 
     def _compensated(
         self,
         moves: MoveTable,
         start: FloatArray,
-        path: Path,
+        points: tuple[Path, ArcChords],
         follows: NDArray[np.bool_],
         following: MoveTable | None,
     ) -> list[str]:
-        settings, tool_point, axes = self._settings, self._tool_point, self._model.axes
-        if np.isnan(start).any() and moves.motion[0] != Kind.RAPID:
-            self._notes.add(int(moves.lines[0]), "a feed motion from an unknown position: only its end is compensated")
-        note_turns(moves, start, axes, self._notes)
+        """The text of each item; points: their path, and how many of it are of arcs."""
+        settings, tool_point, axes, (path, chords) = self._settings, self._tool_point, self._model.axes, points
         placing: Placing = Everywhere(self._model)
         if self._tracker is not None:
             path, placing = self._tracker.place(path, moves, follows, following)
-        path, placing = subdivide(path, self._along, placing)
+        path, placing, bent = subdivide(path, self._along, placing, chords.few(path.owner))
+        if bent.size:
+            return self._compensated(moves, start, chords.finer(bent).on(moves, start, axes), follows, following)
         model = placing.at(np.arange(path.size), np.ones(path.size))
         of = path.owner if path.size > len(moves) else slice(None)  # each move has a point at least
         absolute, inch, lines = moves.absolute[of], moves.inch[of], moves.lines[of]
-        held = moves.held
+        held = columns_of(moves.held, of)
         waiting = held & self._corrected
-        note_held(moves, waiting, axes, self._notes)
-        held, waiting = columns_of(held, of), columns_of(waiting, of)
         parking = moves.in_machine[of] & path.rapid
         allowed = np.where(inch, settings.allowed(True), settings.allowed(False))
         places = Places(
@@ -220,9 +221,12 @@ class Compensator:
         done = joined(parts)
         before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
-            moves.arcs if self._arcs_stay else NO_ARCS, path.owner[done.point], done.positions,
-            solved.linear.commands, before, columns_of(steps, done.point), axes, allowed[done.point],
+            chords.arcs if self._arcs_stay else NO_ARCS, chords.count < chords.most, path.owner[done.point],
+            done.positions, solved.linear.commands, before, columns_of(steps, done.point), axes, allowed[done.point],
         )  # fmt: skip
+        if blocks.apart.size:
+            again = chords.finer(blocks.apart, at_once=True).on(moves, start, axes)
+            return self._compensated(moves, start, again, follows, following)
         done = replace(done, positions=blocks.positions)
         if self._changes is not None:
             self._changes.add(lines, path.points, done.at_points(self._written))

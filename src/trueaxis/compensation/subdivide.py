@@ -11,6 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.arc_chords import few_counts
 from trueaxis.compensation.columns import MOST_CHORDS, PlainRun, chord_counts, columns_of
 from trueaxis.compensation.course import Placing
 from trueaxis.compensation.logs import FaultLog
@@ -79,42 +80,57 @@ class PoseAlong:
 
 PROBE_SPACING = 2.5  # mm (deg); finer than the pitch of ball screws and scales, whose errors are the shortest waves
 SHARE = 0.25  # of the tolerance, allowed between the errors of a motion and the straight line between its ends
+ARC_SHARE = 0.1  # the same along a chord of an arc that is to stay one: the points have the rest, see kept_arcs.py
 SHORTEST = 0.05  # mm (deg); what is shorter is not cut: a jump in the errors cannot be followed by cutting
 PROBES_AT_ONCE = 65536
+OF_ALL_CHORDS = (
+    0.25  # of those of an arc that may stay one count as points: a batch has no more than four times as many
+)
 
 
-def subdivide(path: Path, along: Along, placing: Placing) -> tuple[Path, Placing]:
+def subdivide(
+    path: Path, along: Along, placing: Placing, of_arcs: NDArray[np.bool_]
+) -> tuple[Path, Placing, NDArray[np.int64]]:
     """Bisect feed motions until, at every probe, the correction of the axes differs from the one interpolated
     between the ends by at most `SHARE` of the tolerance.
 
     A motion is probed at an odd number of places no more than `PROBE_SPACING` apart, its middle always among them. The
     correction is the first step of Eq. (55); interpolation is what the control does with the words of both ends.
-    Rapid motions and those from an unknown start are left whole. Returns the pieces, and the machine along them.
+    Rapid motions and those from an unknown start are left whole, and so are chords of arcs that are to stay some,
+    of_arcs: (n,). Returns the pieces, the machine along them, and the moves whose arcs have too few chords: the
+    correction differs by more than `ARC_SHARE` along one.
     """
     whole = path.rapid | ~np.isfinite(path.origins).all(axis=0)
     length = np.where(whole, 0.0, np.sqrt(((path.points - path.origins) ** 2).sum(axis=0)))
     owner = np.flatnonzero(length > SHORTEST)
     if owner.size == 0:
-        return path, placing
+        return path, placing, owner
     low = np.zeros(owner.size)
     high = np.ones(owner.size)
+    of_arc = of_arcs[owner]
+    too_few = np.zeros(0, dtype=np.int64)
     cut_owner: list[NDArray[np.int64]] = []
     cut_share: list[FloatArray] = []
     while owner.size:
-        bent = np.concatenate(
+        bends = np.concatenate(
             [
-                _bent(path, along, placing, owner[part], low[part], high[part])
+                _bends(path, along, placing, owner[part], low[part], high[part])
                 for part in _parts(length[owner] * (high - low))
             ]
         )
-        bent &= length[owner] * (high - low) > 2.0 * SHORTEST
+        if of_arc.any():
+            too_few = np.unique(path.owner[owner[of_arc & (bends > ARC_SHARE)]])
+            if too_few.size:
+                return path, placing, too_few
+        bent = (bends > SHARE) & ~of_arc & (length[owner] * (high - low) > 2.0 * SHORTEST)
+        of_arc = np.zeros(2 * int(bent.sum()), dtype=bool)
         owner, low, high = owner[bent], low[bent], high[bent]
         middle = 0.5 * (low + high)
         cut_owner.append(owner)
         cut_share.append(middle)
         owner = np.concatenate([owner, owner])
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
-    return _cut(path, placing, np.concatenate(cut_owner), np.concatenate(cut_share))
+    return *_cut(path, placing, np.concatenate(cut_owner), np.concatenate(cut_share)), too_few
 
 
 def probe_count(length: FloatArray) -> NDArray[np.int64]:
@@ -132,15 +148,17 @@ def _parts(length: FloatArray) -> list[slice]:
     return [slice(a, b) for a, b in pairwise(edges)]
 
 
-def _bent(
+def _bends(
     path: Path,
     along: Along,
     placing: Placing,
     owner: NDArray[np.int64],
     low: FloatArray,
     high: FloatArray,
-) -> NDArray[np.bool_]:
-    """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
+) -> FloatArray:
+    """By how much of what is allowed the correction along path[owner] between the shares low and high leaves the
+    straight line.
+    """
     origin, point = columns_of(path.origins, owner), columns_of(path.points, owner)
     span = point - origin
     at_low, at_high = (
@@ -155,7 +173,7 @@ def _bent(
     positions = columns_of(origin, of) + place * columns_of(span, of)
     correction = along.correction(placing.at(owner[of], place), positions)
     straight = columns_of(at_low, of) + share * columns_of(at_high - at_low, of)
-    return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first) > SHARE)
+    return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first))
 
 
 def _cut(path: Path, placing: Placing, owner: NDArray[np.int64], share: FloatArray) -> tuple[Path, Placing]:
@@ -220,22 +238,35 @@ def _parts_of(
     """
     if isinstance(item, PlainRun):
         rows = [axes.index(axis) for axis in LINEAR if axis in axes]
-        chords = item.chords(rows, settings.chord_tolerance)
+        radii = item.radii(rows)
+        chords = chord_counts(radii, item.arcs.sweep, settings.chord_tolerance)
         few = chords <= MOST_CHORDS
         for line, count in zip(item.line[item.arcs.index[~few]].tolist(), chords[~few].tolist(), strict=True):
             faults.add(line, *_too_many(count))
         run = item if few.all() else replace(item, arcs=item.arcs.some(few))  # only to read on
-        loads = run.loads(None, PROBE_SPACING, chords[few])
+        loads = run.loads(None, PROBE_SPACING, _loads_of_arcs(radii, item.arcs.sweep, chords, settings)[few])
         yield from run.parts(loads, settings.batch_points, room)
     elif isinstance(item, Move) and item.arc is not None:
         at = dict(zip(axes, item.end, strict=True))
         radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], item.arc.centre)  # with its rise; a bound
-        count = int(chord_counts(np.array(radius), np.array(item.arc.sweep), settings.chord_tolerance))
+        size = np.array(radius), np.array(item.arc.sweep)
+        count = chord_counts(*size, settings.chord_tolerance)
         if count > MOST_CHORDS:
-            faults.add(item.line, *_too_many(count))
-        yield (item if count <= MOST_CHORDS else item.as_line()), 1.0 + count
+            faults.add(item.line, *_too_many(int(count)))
+        yield (item if count <= MOST_CHORDS else item.as_line()), float(_loads_of_arcs(*size, count, settings))
     else:
         yield item, 1.0
+
+
+def _loads_of_arcs(
+    radius: FloatArray, sweep: FloatArray, most: NDArray[np.int64], settings: Settings
+) -> FloatArray:  # fmt: skip
+    """About how many points arcs take, each (n,): few where they may stay arcs; all where they prove to be none,
+    `most`, for which memory is to be bounded too.
+    """
+    if settings.arcs == "chords":
+        return most.astype(np.float64)
+    return np.asarray(np.maximum(few_counts(radius, sweep, most), OF_ALL_CHORDS * most))
 
 
 def _too_many(chords: int) -> tuple[str, str]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.arc_chords import ArcChords
 from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import (
     ContextModel,
@@ -23,7 +24,7 @@ from trueaxis.compensation.course import (
 from trueaxis.compensation.lattice import word_steps
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.moves import Kind, Notes
-from trueaxis.compensation.path import Held, MoveTable, Path, path_of
+from trueaxis.compensation.path import Held, MoveTable, Path
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.subdivide import Along
 from trueaxis.effects.kind import Effect
@@ -209,7 +210,9 @@ class Tracker:
         midst, duration = cruising(path, feed, self._axes)
         after, owner = np.zeros((len(self._axes), 1)), len(moves)
         if following is not None:
-            ahead = path_of(following, path.points[:, -1], self._axes, self._settings.chord_tolerance)
+            end = path.points[:, -1]
+            arcs = ArcChords.of(following, end, self._acting.model, self._settings.chord_tolerance, stay=False)
+            ahead, _ = arcs.on(following, end, self._axes)
             after = cruising(ahead, following.feed[ahead.owner], self._axes)[0][:, :1]
         ends = at_vertices(np.concatenate([midst, after], axis=1), np.append(path.owner, owner), follows)
         return midst, duration, ends
