@@ -205,14 +205,14 @@ class PlainRun:
         return self.passable & (self.places.after - self.places.end <= len(self.eol))
 
     def loads(self, start: Sequence[float] | None, spacing: float, chords: FloatArray) -> FloatArray:
-        """About how many points each block takes: one for each `spacing` of its way, or the chords of its arc.
+        """About how many points each block takes: one for each `spacing` of its way, and the chords of arcs.
 
         start: of the first block, which has no length where that is not given.
         """
         before = self.ends[:, :1] if start is None else np.array(start)[:, np.newaxis]
         way = np.sqrt((np.diff(self.ends, axis=1, prepend=before) ** 2).sum(axis=0))
         loads = 1.0 + np.where(self.motion > 0, way / spacing, 0.0)
-        loads[self.arcs.index] = chords
+        loads[self.arcs.index] += chords
         return np.asarray(loads)
 
     def radii(self, rows: Sequence[int]) -> FloatArray:

@@ -94,7 +94,7 @@ class Compensator:
 
     def texts(self, items: Iterable[Item | PlainRun]) -> Iterator[str]:
         """The compensated program in pieces; none once a fault has been found, but all faults are."""
-        for batch in batches(items, self._model.axes, self._settings, self._faults):
+        for batch in batches(items, self._model.axes, self._settings, self._faults, self._arcs_stay):
             yield self._batch(batch)
             if batch.between is not None:
                 yield self._between(batch.between)

@@ -203,15 +203,15 @@ class Batch(NamedTuple):
 
 
 def batches(
-    items: Iterable[Item | PlainRun], axes: tuple[str, ...], settings: Settings, faults: FaultLog
+    items: Iterable[Item | PlainRun], axes: tuple[str, ...], settings: Settings, faults: FaultLog, arcs_stay: bool
 ) -> Iterator[Batch]:
-    """The items of a program; faults of arcs of too many chords."""
+    """The items of a program; faults of arcs of too many chords. arcs_stay: whether arcs may stay some."""
     batch: list[str | Move | PlainRun] = []
     load = 0.0  # points: moves may be cut as finely as they are probed
     last: tuple[float, ...] | None = None
     most = settings.batch_points
     for whole in items:
-        for item, points in _parts_of(whole, max(most - load, 1.0), axes, settings, faults):
+        for item, points in _parts_of(whole, max(most - load, 1.0), axes, (settings, arcs_stay), faults):
             if load >= most:
                 yield Batch(batch, item if isinstance(item, Move | PlainRun) else None)
                 batch, load = [], 0.0
@@ -231,11 +231,12 @@ def batches(
 
 
 def _parts_of(
-    item: Item | PlainRun, room: float, axes: tuple[str, ...], settings: Settings, faults: FaultLog
+    item: Item | PlainRun, room: float, axes: tuple[str, ...], of_arcs: tuple[Settings, bool], faults: FaultLog
 ) -> Iterator[tuple[Item | PlainRun, float]]:
     """An item, a run in parts of as many points as a batch has, and about how many points each takes; room: points
-    until the batch has as many.
+    until the batch has as many; of_arcs: settings, and whether arcs may stay some.
     """
+    settings, arcs_stay = of_arcs
     if isinstance(item, PlainRun):
         rows = [axes.index(axis) for axis in LINEAR if axis in axes]
         radii = item.radii(rows)
@@ -244,7 +245,7 @@ def _parts_of(
         for line, count in zip(item.line[item.arcs.index[~few]].tolist(), chords[~few].tolist(), strict=True):
             faults.add(line, *_too_many(count))
         run = item if few.all() else replace(item, arcs=item.arcs.some(few))  # only to read on
-        loads = run.loads(None, PROBE_SPACING, _loads_of_arcs(radii, item.arcs.sweep, chords, settings)[few])
+        loads = run.loads(None, PROBE_SPACING, _loads_of_arcs(radii, item.arcs.sweep, chords, arcs_stay)[few])
         yield from run.parts(loads, settings.batch_points, room)
     elif isinstance(item, Move) and item.arc is not None:
         at = dict(zip(axes, item.end, strict=True))
@@ -253,18 +254,18 @@ def _parts_of(
         count = chord_counts(*size, settings.chord_tolerance)
         if count > MOST_CHORDS:
             faults.add(item.line, *_too_many(int(count)))
-        yield (item if count <= MOST_CHORDS else item.as_line()), float(_loads_of_arcs(*size, count, settings))
+        yield (item if count <= MOST_CHORDS else item.as_line()), 1.0 + float(_loads_of_arcs(*size, count, arcs_stay))
     else:
         yield item, 1.0
 
 
 def _loads_of_arcs(
-    radius: FloatArray, sweep: FloatArray, most: NDArray[np.int64], settings: Settings
+    radius: FloatArray, sweep: FloatArray, most: NDArray[np.int64], stay: bool
 ) -> FloatArray:  # fmt: skip
     """About how many points arcs take, each (n,): few where they may stay arcs; all where they prove to be none,
     `most`, for which memory is to be bounded too.
     """
-    if settings.arcs == "chords":
+    if not stay:
         return most.astype(np.float64)
     return np.asarray(np.maximum(few_counts(radius, sweep, most), OF_ALL_CHORDS * most))
 
