@@ -43,6 +43,12 @@ _MAY_FOLLOW = bytes(pair % 16 in _FOLLOWS.get(pair // 16, ()) for pair in range(
 _MOST_DIGITS = np.array([0] * _N + [9, 2] + [15] * (_S - _G) + [2])  # by class; a whole number of 15 is a double
 _MOST_DOTS = np.array([0] * _X + [1] * (_S - _G) + [0])
 _POWERS = 10.0 ** np.arange(16)
+_EIGHT = 8  # figures that are read at once, the first in the lowest byte
+_LAST_OF_EIGHT = np.array([0] + [(1 << 64) - (1 << 8 * (_EIGHT - count)) for count in range(1, _EIGHT + 1)], np.uint64)
+_JOINED = tuple(
+    (np.uint64((base << shift) + 1), np.uint64(shift), np.uint64(mask))
+    for base, shift, mask in ((10, 8, 0x00FF00FF00FF00FF), (100, 16, 0x0000FFFF0000FFFF), (10_000, 32, 0xFFFFFFFF))
+)
 _MOTIONS = 4  # G0 to G3
 _CODES = 100  # of two digits
 _SEMICOLON = re.compile(r";[^\r\n]*+")
@@ -256,12 +262,28 @@ def _numbers(
     if apart.size:
         solid = np.flatnonzero(of != _BLANK)
         first[apart] = solid[np.searchsorted(solid, first[apart])]
-    begin, whole = first + (of[first] == _SIGN), digits - decimals  # where digits begin, and how many before the dot
-    most = min(int(digits.max(initial=0)), _MOST_DIGITS.max())
-    value: NDArray[np.signedinteger] = np.zeros(marks.size, dtype=np.int32 if most < 10 else np.int64)
-    for place in range(most):
-        digit = signs.take(begin + (place >= whole), mode="clip") - ord("0")
-        value = np.where(place < digits, 10 * value + digit, value)
-        begin += 1
+    value = _whole_numbers(signs[of == _DIGIT], before[marks], digits)
     size = value / _POWERS[np.minimum(decimals, _POWERS.size - 1)]
     return first, np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals
+
+
+def _whole_numbers(
+    figures: NDArray[np.uint8], begin: NDArray[np.int32], count: NDArray[np.int32]
+) -> NDArray[np.int64]:  # fmt: skip
+    """The numbers that `count` figures make from `begin` on; of no use where they are more than 16."""
+    room = np.concatenate([np.full(_EIGHT, ord("0"), dtype=np.uint8), figures])
+    each = np.ndarray((figures.size + 1,), dtype="<u8", buffer=room, strides=(1,)).copy()  # eight figures before a place
+    end = begin + count
+    value = _of_eight(each[end], np.minimum(count, _EIGHT))
+    if count.max(initial=0) > _EIGHT:
+        rest = np.maximum(count - _EIGHT, 0)
+        value += 10**_EIGHT * _of_eight(each[begin + rest], np.minimum(rest, _EIGHT))
+    return value
+
+
+def _of_eight(figures: NDArray[np.uint64], count: NDArray[np.int32]) -> NDArray[np.int64]:
+    """The number of the last `count` of eight figures, all at once: neighbours are joined, then pairs, then fours."""
+    figures = figures & np.uint64(0x0F0F0F0F0F0F0F0F) & _LAST_OF_EIGHT[count]
+    for factor, shift, mask in _JOINED:
+        figures = ((figures * factor) >> shift) & mask
+    return figures.astype(np.int64)
