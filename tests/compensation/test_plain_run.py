@@ -151,7 +151,13 @@ PLACES = st.one_of(
     ]),
 )  # fmt: skip
 # the first block, said again
-AGAIN = st.sampled_from(["{}", "{}", "N9 {}", "{} F100", "{} F100.", "{}X1.", "F100. {}", "{} Z-20.", "{} Q3"])
+AGAIN = st.sampled_from([
+    "{}", "{}", "N9 {}", "{} F100", "{} F100.", "{}X1.", "F100. {}", "{} Z-20.", "{} Q3", "G98 {}", "G99 {}",
+    # behind an end of the cycle, where it may be another
+    "G80\nG0 Z30.\n{}", "G80\nG0 Z30.\n{}", "G80\nG0 Z30.\n{}", "N1 G80\nN2 G0 X3. Y4.\nN3 G0 Z30. \nN4 {}",
+    "G80\nG0 Z20.\n(up)\nG0 Z30.\n{} F90.", "G80\nG0 Z20.\n{}", "G80\n{}", "G80\nG0Z30.\n{}", "G80\nG0 Z30. F50.\n{}",
+    "G80 M9\nG0 Z30.\n{}", "G80\nG0 Z30.\nX5.\n{}", "G80\nG0 Z-10.\n{}", "G80\nG0 X1.\n{}", "G80\nG80\nG0 Z30.\n{}",
+])  # fmt: skip
 DRILLED = st.tuples(
     st.sampled_from(["\n", "\n", "\r\n"]),
     st.lists(
@@ -257,8 +263,9 @@ CHORDS = [f"X{100 + 0.4 * k:.4f} Y{100 + 20 * np.sin(k):.3f}" for k in range(60)
         (WITHOUT_Z, ["M5", "G0 X3. Y4.", "M3 S100", *CHORDS]),  # laser: Z stands where it was set by hand
         (HEAD, [line.replace("X", "X ").replace("Y", "Y  ") for line in CHORDS]),
         (HEAD, [f"R200. Y{line[-1]}.5 X{k}.25" if k else "G2 X0. Y0. R200." for k, line in enumerate(CHORDS)]),
+        (HEAD, ["G80", "G0 Z30.", "G98 G83 X1. Y2. Z-20. R5. Q4. F90.", *CHORDS]),
     ],
-    ids=["points", "tool paths", "G90 and F first", "no Z", "blanks in words", "any order"],
+    ids=["points", "tool paths", "G90 and F first", "no Z", "blanks in words", "any order", "cycles that end"],
 )
 def test_most_of_a_long_program_is_runs(bench: Bench, head: list[str], tool_path: list[str]) -> None:
     from trueaxis.compensation.nc.reader import NcReader, plain_move

@@ -26,6 +26,14 @@ def columns_of(table: NDArray[_Value], of: slice | NDArray[np.int64] | NDArray[n
     return table.take(np.flatnonzero(of) if of.dtype == np.bool_ else of, axis=1)
 
 
+def carried(values: NDArray[_Value], known: NDArray[np.bool_], start: float) -> NDArray[_Value]:
+    """The values (n,) that are known, each until the next is; start: before the first."""
+    if known.all():
+        return values
+    last = np.maximum.accumulate(np.where(known, np.arange(known.size), -1))
+    return np.where(last >= 0, values[np.maximum(last, 0)], start)
+
+
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Arcs:
     """Arcs of moves, k of them, in columns.
@@ -171,7 +179,7 @@ class PlainRun:
     the word. blank: (n,), whether a blank separates words. source: bytes; places: of the blocks in it. inserts: whether
     the G word of its motion is put into a block. arcs: of the blocks. feed: (n,).
     held, elsewhere, unnamed, shift: of all blocks. passable: whether the tool may run through ends behind which nothing
-    stands. stays: whether a block whose words hold may stay as it is.
+    stands. stays: (n,), whether a block whose words hold may stay as it is.
     """
 
     line: NDArray[np.int64]
@@ -190,9 +198,9 @@ class PlainRun:
     held: tuple[bool, ...]
     elsewhere: tuple[bool, ...]
     shift: tuple[float, ...]
+    stays: NDArray[np.bool_]
     unnamed: tuple[bool, ...] = ()
     passable: bool = True
-    stays: bool = True
 
     @property
     def count(self) -> int:
@@ -237,4 +245,5 @@ class PlainRun:
         return replace(
             self, line=self.line[of], motion=self.motion[of], ends=self.ends[:, of], written=self.written[:, of],
             blank=self.blank[of], places=self.places.of(of), inserts=self.inserts[of], arcs=arcs, feed=self.feed[of],
+            stays=self.stays[of],
         )  # fmt: skip

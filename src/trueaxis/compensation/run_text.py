@@ -159,7 +159,7 @@ class RunBlocks:
         """Whether a block stays as it was read."""
         added = (self._named & ~columns_of(self.run.written, self._block)).any(axis=0)
         straight = self.run.motion[self._block] <= _LINE
-        return self.unchanged & ~self.cut[self._block] & straight & ~added & self.run.stays
+        return self.unchanged & ~self.cut[self._block] & straight & ~added & self.run.stays[self._block]
 
     def _words(self, axes: tuple[str, ...], decimals: list[int], step: float) -> Iterator[Words]:
         """Axis words, then those of centres."""

@@ -1,9 +1,11 @@
 """A canned cycle of an NC program, as its words hold on from block to block."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 
 from trueaxis.compensation.settings import Settings
+
+MOST_REPEATS = 10_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +57,14 @@ class DrillingCall:
     clear: float = 0.0
     dwell: str = ""
     modal: bool = False
+
+
+def repeats_of(parameters: Mapping[str, float], settings: Settings) -> int | None:
+    """How often, by the words of a block; 0: never, the words are stored (Fanuc); None: that is no number."""
+    count = parameters.get("L", parameters.get("K", 1.0))
+    least = 0 if settings.dialect == "fanuc" else 1
+    right = {"L", "K"} - parameters.keys() and count % 1 == 0 and least <= count <= MOST_REPEATS
+    return int(count) if right else None
 
 
 def whole_peck_in_mm(cycle: Cycle, settings: Settings) -> bool:

@@ -7,7 +7,7 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
 from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes
 from trueaxis.compensation.nc import g_codes as codes
-from trueaxis.compensation.nc.canned_cycle import Cycle, peck_in_doubt
+from trueaxis.compensation.nc.canned_cycle import MOST_REPEATS, Cycle, peck_in_doubt, repeats_of
 from trueaxis.compensation.nc.cycle_blocks import (
     DWELL,
     DWELLING,
@@ -27,7 +27,6 @@ from trueaxis.compensation.nc.run_holes import Hole
 from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import Settings
 
-MOST_REPEATS = 10_000
 OWN_WORDS = "G80 before it, or P and Q (0 for none) in the block"
 WHOLE_PECK = "Q with a decimal point: without one some controls count it in steps of 0.001 mm whatever --integers says"
 Z_AND_R = "both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
@@ -68,7 +67,7 @@ class CycleReader:
             return [line]
         self._modes.note_unsaid(number, feeds=True)
         self._frames.note_first(number)
-        if self._repeats(meaning) == 0:
+        if repeats_of(meaning.parameters, self._settings) == 0:
             return self._stored(number, line, body, block, meaning, again)
         if cycle.code in self._kept:
             return self._kept_hole(number, line, body, block, meaning, cycle)
@@ -128,7 +127,7 @@ class CycleReader:
 
     def _problem(self, cycle: Cycle, named: set[str], meaning: Meaning) -> tuple[str, str] | None:
         """What is wrong with a block of a cycle."""
-        state, repeats, name = self._state, self._repeats(meaning), cycle.name
+        state, repeats, name = self._state, repeats_of(meaning.parameters, self._settings), cycle.name
         problems = (
             (not {"X", "Y", "Z"} <= state.row.keys(), f"{name} on a machine without X, Y and Z", "write it out"),
             (state.feed_mode == "time", f"{name} under G93", "G94"),
@@ -158,13 +157,6 @@ class CycleReader:
             yield state.point_control, f"{name} under tool centre point control", "end it before"
         elif self._kept and cycle.code in DWELLING and not cycle.dwell:
             yield "P" in self._gone, f"{cycle.name} after a cycle with P, still in force", OWN_WORDS
-
-    def _repeats(self, meaning: Meaning) -> int | None:
-        """How often; 0: never, the words are stored (Fanuc); None: that is no number."""
-        count = meaning.parameters.get("L", meaning.parameters.get("K", 1.0))
-        least = 0 if self._settings.dialect == "fanuc" else 1
-        right = {"L", "K"} - meaning.parameters.keys() and count % 1 == 0 and least <= count <= MOST_REPEATS
-        return int(count) if right else None
 
     def _levels(self, cycle: Cycle, meaning: Meaning) -> tuple[float, float, float]:
         """R, Z and where the cycle ends, machine coordinates, mm. Raises CycleError where they are not certain."""
@@ -201,7 +193,7 @@ class CycleReader:
         except CycleError as error:
             writer.fault(*error.args)
             return
-        for _ in range(self._repeats(meaning) or 1):
+        for _ in range(repeats_of(meaning.parameters, self._settings) or 1):
             if (level := self._level()) is not None and level < r:
                 writer.go(Kind.RAPID, {self._depth: r})
             if not writer.across(meaning):
@@ -290,8 +282,12 @@ class CycleReader:
         words = {self._depth: cycle.z or 0.0, "R": cycle.r or 0.0}
         if cycle.peck > 0.0 and not cycle.whole_peck:
             words["Q"] = cycle.peck
-        steps_down = (*down, *self._steps(cycle, r, bottom, clear))
-        return Hole(state.row[self._depth], clear, steps_down, cycle.code // 10, words)
+        return Hole(
+            depth=state.row[self._depth], level=clear, steps=(*down, *self._steps(cycle, r, bottom, clear)),
+            code=cycle.code // 10, words=words, returns=98 if state.at_initial_level else 99,
+            says_return=bool(self._kept),
+            begins_again="P" not in self._gone and not (cycle.dwell or state.path.in_cycle or cycle.whole_peck),
+        )  # fmt: skip
 
     def note_holes(self, number: int, holes: int = 1) -> None:
         """Note holes that are written out, from a line on."""

@@ -78,6 +78,7 @@ PATH_MODES = (EXACT_PATH, EXACT_STOPS, CONTINUOUS)
 
 # codes (whole ones) that change nothing where the mode that they set is in force: those of modes that this is asked of
 WITHOUT_MODE = frozenset({40, 61, 64})
+OF_CYCLES = frozenset({80, 98, 99, *(code // 10 for code in CYCLES)})  # codes beside or behind the holes of a cycle
 _SETTING_MODES = frozenset({17, 18, 19, 20, 21, 54, 55, 56, 57, 58, 59, 90, 91, 94, 95}) | WITHOUT_MODE
 
 

@@ -272,7 +272,9 @@ def _whole_numbers(
 ) -> NDArray[np.int64]:  # fmt: skip
     """The numbers that `count` figures make from `begin` on; of no use where they are more than 16."""
     room = np.concatenate([np.full(_EIGHT, ord("0"), dtype=np.uint8), figures])
-    each = np.ndarray((figures.size + 1,), dtype="<u8", buffer=room, strides=(1,)).copy()  # eight figures before a place
+    each = np.ndarray(
+        (figures.size + 1,), dtype="<u8", buffer=room, strides=(1,)
+    ).copy()  # eight figures before a place
     end = begin + count
     value = _of_eight(each[end], np.minimum(count, _EIGHT))
     if count.max(initial=0) > _EIGHT:

@@ -1,14 +1,16 @@
 """The holes of many blocks of a canned cycle, all of them at once: what `CycleWriter` makes of them one by one. The
-blocks have X or Y, and may say again what is in force.
+blocks have X or Y, and may say again what is in force; the cycle may end by G80, and begin again as it was, behind
+rapids, where the axis that drills stands as it did.
 """
 
 import re
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import NO_ARCS, BlockPlaces, PlainRun
+from trueaxis.compensation.columns import NO_ARCS, BlockPlaces, PlainRun, columns_of
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.moves import Kind
 from trueaxis.compensation.nc import g_codes as codes
@@ -16,13 +18,17 @@ from trueaxis.compensation.nc.plain_text import LETTERS, PlainText
 from trueaxis.compensation.nc.state import NcState
 
 MOST_MOTIONS = 16384  # of a run: a batch
-_NUMBER = re.compile(r"[ \t]*+(N\d++)", re.IGNORECASE)
+_WORD = re.compile(r"([A-Z])[ \t]*+([-+.\d]++)", re.IGNORECASE)
+_RETURN = frozenset({98.0, 99.0})
 _BLANK = np.isin(np.arange(256), [ord(" "), ord("\t")])
+_END, _LAST_LINEAR = codes.CANCEL_CYCLE // 10, LETTERS.index("Z")
 
 
 class Hole(NamedTuple):
     """What is done over the place of a hole: motions of the axis in row `depth`, which is at `level` before, with their
-    ends, mm, machine coordinates, and blocks that move nothing. code, words: of the cycle in force, as written.
+    ends, mm, machine coordinates, and blocks that move nothing. code, words: of the cycle in force, as written;
+    returns: 98 or 99, in force; says_return: whether that is written; begins_again: whether the cycle is the same after
+    its end where these words are said again.
     """
 
     depth: int
@@ -30,6 +36,9 @@ class Hole(NamedTuple):
     steps: tuple[tuple[Kind | str, float], ...]
     code: int
     words: dict[str, float]
+    returns: int
+    says_return: bool
+    begins_again: bool
 
 
 def several_words(lines: PlainText, part: slice) -> NDArray[np.bool_]:
@@ -38,19 +47,31 @@ def several_words(lines: PlainText, part: slice) -> NDArray[np.bool_]:
     return (count > 1) | (lines.lead[part] > lines.starts[part]) | np.isfinite(lines.feed[part])
 
 
+def begin_again(state: NcState, hole: Hole) -> None:
+    """Take into the state that the cycle in force has ended and begun again behind rapids."""
+    if state.cycle is not None:
+        state.cycle = replace(state.cycle, initial=hole.level)
+    state.before_cycle = int(Kind.RAPID)
+
+
 def holes_alike(lines: PlainText, first: int, last: int, state: NcState, hole: Hole) -> int:
-    """Up to which of these plain lines are holes that can be taken together, with text between them; the first itself
-    if it is none.
+    """Up to which of these plain lines are holes that can be taken together, with text, and ends and new beginnings of
+    the cycle, between them; the first itself if it is none.
     """
     part = slice(first, last)
     moves = np.diff(lines.first[first : last + 1]) > 0
-    wrong = _otherwise(lines, first, last, state.plane, hole) | (lines.code[part] >= 0)
+    places = moves & (lines.code[part] == int(Kind.RAPID)) & hole.begins_again
+    modes = lines.modes.of(first, last)
+    ends = np.zeros(moves.size, dtype=bool)
+    ends[modes.line[modes.number == _END]] = hole.begins_again
+    again, astray = _turns(lines, first, last, state, hole, places, ends)
+    wrong = astray | _otherwise(lines, first, last, state.plane, hole, places) | ((lines.code[part] >= 0) & ~places)
     wrong[lines.switches.of(first, last).line] = True
     start = int(lines.starts[first])
     solid = np.concatenate([[0], np.cumsum(~_BLANK[lines.source[start : lines.starts[last]]])])
-    ends = lines.starts[first + 1 : last + 1] - 1 - lines.returned[part] - start
+    line_ends = lines.starts[first + 1 : last + 1] - 1 - lines.returned[part] - start
     last_word = np.maximum(lines.tail[part], lines.feed_end[part]) - start
-    behind = solid[ends] - solid[np.where(moves, last_word, 0)] > 0
+    behind = solid[line_ends] - solid[np.where(moves, last_word, 0)] > 0
     wrong |= moves & (behind | (lines.returned[part] != lines.returned[first]))
     shows = moves & (lines.blank[part] | several_words(lines, part))
     wrong |= shows & (lines.blank[part] != (state.gap == " "))
@@ -59,11 +80,59 @@ def holes_alike(lines: PlainText, first: int, last: int, state: NcState, hole: H
     wrong[0] |= not moves[0]
     most = max(MOST_MOTIONS // len(hole.steps), 1)
     wrong |= np.cumsum(moves) > most
-    return first + int(np.argmax(wrong)) if wrong.any() else last
+    count = int(np.argmax(wrong)) if wrong.any() else moves.size
+    begun, ended = (np.append(np.flatnonzero(of[:count]), -1) for of in (again, ends))
+    return first + (int(ended[-2]) if ended.size > 1 and begun[-2:].max() < ended[-2] else count)
 
 
-def _otherwise(lines: PlainText, first: int, last: int, plane: int, hole: Hole) -> NDArray[np.bool_]:
-    """Which of these lines say anything but where a further hole is, F, and again what is in force."""
+def _turns(
+    lines: PlainText,
+    first: int,
+    last: int,
+    state: NcState,
+    hole: Hole,
+    places: NDArray[np.bool_],
+    ends: NDArray[np.bool_],
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Where the cycle begins again, and which lines it is no such turn for: rapids or an end where it is in force,
+    holes or an end where it is not. places, ends: whether each line is a rapid, and an end.
+    """
+    words, count = slice(*lines.first[[first, last]].tolist()), last - first
+    letter, value, line = lines.letter[words], lines.value[words], lines.line[words] - first
+    modes = lines.modes.of(first, last)
+    says = np.zeros(count, dtype=bool)
+    says[modes.line[modes.number == hole.code]] = True
+    of_end, of_cycle = _latest(ends), _latest(says)
+    out = of_end > of_cycle
+    again = says & out
+    axis = state.axes[hole.depth]
+    scale, shift = state.scale(axis), state.shift[hole.depth] if state.shift else 0.0
+    depth = (letter == LETTERS.index(axis)) & places[line]
+    level = np.zeros(count)
+    level[line[depth]] = value[depth] * scale + shift
+    moved = np.zeros(count, dtype=bool)
+    moved[line[depth]] = True
+    of_level = _latest(moved)
+    complete = np.bincount(line[np.isin(letter, [LETTERS.index(name) for name in hole.words])], minlength=count)
+    astray = again & ((complete < len(hole.words)) | (_latest(places) < of_end))
+    astray |= again & (of_level > of_end) & (level[np.maximum(of_level, 0)] != hole.level)
+    holes = np.diff(lines.first[first : last + 1]) > 0
+    holes &= ~places
+    return again, astray | np.where(out, (holes & ~says) | ends, places)
+
+
+def _latest(of: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """The latest of these lines before each line; -1: none."""
+    found = np.maximum.accumulate(np.where(of, np.arange(of.size), -1))
+    return np.concatenate([[-1], found[:-1]])
+
+
+def _otherwise(
+    lines: PlainText, first: int, last: int, plane: int, hole: Hole, places: NDArray[np.bool_]
+) -> NDArray[np.bool_]:  # fmt: skip
+    """Which of these lines say anything but where a further hole is, F, and again what is in force; rapids (`places`)
+    anything but where they go, and ends of the cycle anything else.
+    """
     words = slice(*lines.first[[first, last]].tolist())
     letter, value, line = lines.letter[words], lines.value[words], lines.line[words] - first
     across, along = (letter == LETTERS.index(axis) for axis in codes.PLANES[plane][:2])
@@ -73,13 +142,24 @@ def _otherwise(lines: PlainText, first: int, last: int, plane: int, hole: Hole) 
     again = across | along
     for name, known in hole.words.items():  # Q without a decimal point may count otherwise
         again |= (letter == LETTERS.index(name)) & (value == known) & ((name != "Q") | (lines.decimals[words] >= 0))
+    again = np.where(places[line], letter <= _LAST_LINEAR, again)
     wrong[line[~again]] = True
     modes = lines.modes.of(first, last)
-    wrong[modes.line[modes.number != hole.code]] = True
-    wrong[modes.line[1:][np.diff(modes.line) == 0]] = True
+    ends = modes.number == _END
+    wrong[modes.line[~np.isin(modes.number, [hole.code, hole.returns, *[_END] * hole.begins_again])]] = True
+    same = (np.diff(modes.line) == 0) & (ends[1:] | ends[:-1] | (modes.number[1:] == modes.number[:-1]))
+    wrong[modes.line[1:][same]] = True
     says = np.isfinite(lines.feed[first:last]) | (np.diff(lines.first[first : last + 1]) > 0)
-    says[modes.line] = True
-    return wrong | (says & ~named)
+    wrong[modes.line[ends]] |= says[modes.line[ends]]
+    says[modes.line[~ends]] = True
+    return wrong | (says & np.where(places, np.isfinite(lines.feed[first:last]), ~named)) | _marked(places, modes.line)
+
+
+def _marked(places: NDArray[np.bool_], line: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Rapids with codes of modes, whose lines are given."""
+    found = np.zeros_like(places)
+    found[line] = places[line]
+    return found
 
 
 def holes_run(
@@ -93,10 +173,12 @@ def holes_run(
 ) -> PlainRun:
     """The motions of the holes of these lines, of which the first is line `number` of the program.
 
-    table: which axes the lines that move name, and where they go, mm and deg, each (n_axes, n), and their F (n,).
+    table: which axes the lines that move name, those of holes without the one that drills, and where they go, mm and
+    deg, each (n_axes, n), and their F (n,).
     """
-    named, places, feed = table
+    named, ends_of_lines, feed = table
     index = first + np.flatnonzero(np.diff(lines.first[first : last + 1]) > 0)
+    drills = lines.code[index] < 0
     eol = "\r\n" if lines.returned[first] else "\n"
     motions: list[tuple[Kind, float]] = [(Kind.RAPID, 0.0)]  # over the hole, then what is done there
     behind = [eol]  # each motion
@@ -106,31 +188,34 @@ def holes_run(
         else:
             motions.append((what, z))
             behind.append(eol)
-    each, named = len(motions), named.copy()
-    ends, written = np.repeat(places, each, axis=1), np.zeros((len(state.axes), index.size, each), dtype=bool)
-    named[hole.depth] = False
+    each = len(motions)
+    ends = np.repeat(ends_of_lines, each, axis=1)
+    written = np.zeros((len(state.axes), index.size, each), dtype=bool)
     ends[hole.depth] = np.tile([hole.level, *(z for _, z in motions[1:])], index.size)
+    ends[hole.depth, ::each] = ends_of_lines[hole.depth]
     written[:, :, 0], written[hole.depth, :, 1:] = named, True
-    count, (places_of_text, leads) = ends.shape[1], _places(lines, first, last, index, behind, state.gap)
+    places, leads = _places(lines, first, last, index, behind, (state.gap, hole))
+    of = np.flatnonzero(np.repeat(drills, each) | (np.arange(drills.size * each) % each == 0))  # rapids: one motion
     return PlainRun(
-        line=np.repeat(number + index - first, each), motion=np.tile([int(kind) for kind, _ in motions], index.size),
-        ends=ends, written=written.reshape(-1, count), absolute=True, inch=state.inch,
-        blank=np.full(count, state.gap == " "), eol=eol,
+        line=np.repeat(number + index - first, each)[of],
+        motion=np.tile([int(kind) for kind, _ in motions], index.size)[of],
+        ends=columns_of(ends, of), written=columns_of(written.reshape(len(state.axes), -1), of), absolute=True,
+        inch=state.inch, blank=np.full(of.size, state.gap == " "), eol=eol,
         source=np.concatenate([
             lines.source[lines.starts[first] : lines.starts[last]],
             np.frombuffer("".join([*behind, leads]).encode("latin-1"), dtype=np.uint8),
         ]),
-        places=places_of_text, inserts=np.ones(count, dtype=bool), arcs=NO_ARCS,
-        feed=np.repeat(feed, each), held=state.commanded.held[True],
-        elsewhere=state.commanded.elsewhere, shift=state.shift, passable=False, stays=False,
+        places=places.of(of), inserts=np.repeat(drills, each)[of], arcs=NO_ARCS,
+        feed=np.repeat(feed, each)[of], held=state.commanded.held[True],
+        elsewhere=state.commanded.elsewhere, shift=state.shift, passable=False, stays=np.repeat(~drills, each)[of],
     )  # fmt: skip
 
 
 def _places(
-    lines: PlainText, first: int, last: int, index: NDArray[np.int64], behind: list[str], gap: str
+    lines: PlainText, first: int, last: int, index: NDArray[np.int64], behind: list[str], of_holes: tuple[str, Hole]
 ) -> tuple[BlockPlaces, str]:
     """Where the text of the motions is, in that of the lines with what stands behind each motion of a hole after it,
-    and then the second result: N and F of lines with other words than those of X and Y.
+    and then the second result: N, F and the return of lines with other words than those of X and Y.
 
     N and F stand before the first motion, the line's own end and the text behind it behind the last.
     """
@@ -147,9 +232,16 @@ def _places(
     if len(behind[-1]) <= len("\r\n"):
         last_word[:, -1] = lines.starts[index + 1] - 1 - lines.returned[index] - start
         after[:, -1] = np.append(lines.starts[index[1:]], lines.starts[last]) - start
+    rapids = np.flatnonzero(lines.code[index] >= 0)  # whose text stays, but for its words
+    at = index[rapids]
+    begin[rapids, 0], first_word[rapids, 0], last_word[rapids, 0] = (
+        of[at] - start for of in (lines.starts, lines.lead, lines.tail)
+    )
+    after[rapids, 0] = after[rapids, -1]
+    modes = lines.modes.of(first, last)
     again = np.isfinite(lines.feed[index])
-    again[np.searchsorted(index, lines.modes.of(first, last).line + first)] = True
-    leads = [_lead(lines, line, gap) for line in index[again].tolist()]
+    again[np.searchsorted(index, modes.line[modes.number != _END] + first)] = True
+    leads = [_lead(lines, line, *of_holes) for line in index[again].tolist()]
     lead_ends = int(ends[-1]) + np.cumsum([len(text) for text in leads], dtype=np.int64)
     begin[again, 0], first_word[again, 0] = lead_ends - [len(text) for text in leads], lead_ends
     begin, first_word, last_word, after = (of.reshape(-1) for of in (begin, first_word, last_word, after))
@@ -159,9 +251,11 @@ def _places(
     return places, "".join(leads)
 
 
-def _lead(lines: PlainText, line: int, gap: str) -> str:
-    """N and F of a line, as they are written before its first motion."""
-    text, begin = lines.source[lines.starts[line] : lines.lead[line]].tobytes().decode("latin-1"), lines.feed_at[line]
-    feed = lines.source[begin : lines.feed_end[line]].tobytes().decode("latin-1")
-    number = _NUMBER.match(text)
-    return gap.join(word for word in (number[1] if number else "", feed) if word)
+def _lead(lines: PlainText, line: int, gap: str, hole: Hole) -> str:
+    """N, F and, where that is written, G98 or G99 of a line, as they are written before its first motion."""
+    text = lines.source[lines.starts[line] : lines.starts[line + 1]].tobytes().decode("latin-1")
+    return gap.join(
+        word[0]
+        for word in _WORD.finditer(text)
+        if word[1] in "NFnf" or (hole.says_return and word[1] in "Gg" and float(word[2]) in _RETURN)
+    )

@@ -6,12 +6,12 @@ each other. A block that differs in anything ends a run, and is left to it.
 
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.columns import BlockPlaces, PlainRun
+from trueaxis.compensation.columns import BlockPlaces, PlainRun, carried
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
@@ -20,7 +20,7 @@ from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.modes import codes_in_force
 from trueaxis.compensation.nc.plain_text import LETTERS, PlainText, plain_text
 from trueaxis.compensation.nc.run_arcs import ArcReader
-from trueaxis.compensation.nc.run_holes import holes_alike, holes_run, several_words
+from trueaxis.compensation.nc.run_holes import begin_again, holes_alike, holes_run, several_words
 from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
@@ -57,7 +57,7 @@ class RunReader:
 
     def __init__(self, state: NcState, settings: Settings, frames: FrameReader, cycles: CycleReader) -> None:
         self._state, self._settings, self._frames, self._cycles = state, settings, frames, cycles
-        self._modes = codes.modes_on(settings.dialect) | {code // 10 for code in codes.CYCLES}
+        self._modes = codes.modes_on(settings.dialect) | codes.OF_CYCLES
         self._arcs = ArcReader(state, settings)
         self._known = all(axis in state.row for axis in LINEAR)
         self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in state.axes])
@@ -76,11 +76,11 @@ class RunReader:
         if first < read.none_before or not moves or not_to_name(state) is None:
             return None
         end = self._plain_up_to(first)
-        if state.cycle is not None:
-            return self._holes(number, first, end) if state.goes_on_plainly else None
-        if end - first < FEWEST:
+        if end - first < (FEWEST if state.cycle is None else FEWEST_HOLES):
             read.none_before = end
             return None
+        if state.cycle is not None:
+            return self._holes(number, first, end) if state.goes_on_plainly else None
         last = min(self._alike(first, end), first + read.ahead)
         if last - first < FEWEST:
             read.none_before = max(last, first + 1)
@@ -108,19 +108,24 @@ class RunReader:
         before = state.gap
         if lines.blank[first] or several_words(lines, slice(first, first + 1))[0]:
             state.gap = " " if lines.blank[first] else ""
-        hole = self._cycles.further() if end - first >= FEWEST_HOLES else None
+        hole = self._cycles.further()
         last = end if hole is None else holes_alike(lines, first, end, state, hole)
         if hole is None or last - first < FEWEST_HOLES:
             self._read.none_before, state.gap = max(last, first + 1), before
             return None
         moves, _ = self._motions(first, last)
+        drills = moves & (lines.code[first:last] < 0)
         written, given = self._table(first, last, moves)
+        written[hole.depth, drills[moves]] = False
         feed, in_minutes = self._feed(first, last)
         table = written, _positions(state, self._start(), written, given), in_minutes[moves]
         run = holes_run(lines, first, last, number, table, state, hole)
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
         state.feed = float(feed[-1])
-        self._cycles.note_holes(number, int(moves.sum()))
+        self._cycles.note_holes(number, int(drills.sum()))
+        if not drills[moves].all():  # the cycle has ended and begun again
+            begin_again(state, hole)
+            self._keep_numbers(first, first + 1 + int(np.flatnonzero(moves & ~drills)[-1]), placing=True)
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
 
     def _alike(self, first: int, last: int) -> int:
@@ -162,20 +167,19 @@ class RunReader:
         """Codes of modes that change nothing now."""
         selected = self._frames.selected
         system = {int(selected[1:])} if selected[1:].isdecimal() else set()
-        cycle = self._state.cycle
-        drilling = {cycle.code // 10} if cycle is not None and cycle.code in codes.CYCLES else set()
+        drilling = frozenset[int]() if self._state.cycle is None else codes.OF_CYCLES
         return codes_in_force(self._state) | codes.WITHOUT_MODE | system | drilling
 
     def _motions(self, first: int, last: int) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Which of these lines move, and the motion in force in each, -1 where none is."""
         code, before = self._read.lines.code[first:last], self._state.motion
         moves = np.diff(self._read.lines.first[first : last + 1]) > 0
-        return moves, _kept(code, code >= 0, -1 if before is None else before)
+        return moves, carried(code, code >= 0, -1 if before is None else before)
 
     def _feed(self, first: int, last: int) -> tuple[FloatArray, FloatArray]:
         """F in force in each of these lines; the same in mm/min or deg/min, NaN where it counts otherwise."""
         state, given = self._state, self._read.lines.feed[first:last]
-        feed = _kept(given * (MM_PER_INCH if state.inch else 1.0), np.isfinite(given), state.feed)
+        feed = carried(given * (MM_PER_INCH if state.inch else 1.0), np.isfinite(given), state.feed)
         return feed, feed if state.feed_mode == "minute" else np.full(feed.size, math.nan)
 
     def _run(self, number: int, first: int, last: int) -> Run | None:
@@ -197,15 +201,14 @@ class RunReader:
             index, motion, written, ends = index[:right], motion[:right], written[:, :right], ends[:, :right]
         feed, in_minutes = self._feed(first, last)
         several = lines.first[index + 1] - lines.first[index] > 1
-        blank = _kept(lines.blank[index], lines.blank[index] | several, state.gap == " ")
+        blank = carried(lines.blank[index], lines.blank[index] | several, state.gap == " ")
         run = PlainRun(
             line=number + index - first, motion=motion, ends=ends, written=written, absolute=state.absolute,
             inch=state.inch, blank=blank, eol="\r\n" if lines.returned[first] else "\n",
             source=lines.source[lines.starts[first] : lines.starts[last]], places=self._places(first, last, index),
-            inserts=(motion > 1) & (lines.code[index] < 0), arcs=arcs,
-            feed=in_minutes[index - first],
+            inserts=(motion > 1) & (lines.code[index] < 0), arcs=arcs, feed=in_minutes[index - first],
             held=state.commanded.held[state.absolute], elsewhere=state.commanded.elsewhere,
-            unnamed=state.commanded.unnamed, shift=state.shift,
+            unnamed=state.commanded.unnamed, shift=state.shift, stays=np.ones(motion.size, dtype=bool),
         )  # fmt: skip
         self._keep(run, first, last, int(index[-1]), float(feed[-1]))
         return Run(run, last - first, int(lines.starts[last] - lines.starts[first]))
@@ -229,14 +232,12 @@ class RunReader:
         lines = self._read.lines
         own = lines.code[index] >= 0
         places = BlockPlaces(
-            begin=lines.starts[index],
-            first=lines.lead[index],
-            last=lines.tail[index],
+            begin=lines.starts[index], first=lines.lead[index], last=lines.tail[index],
             end=lines.starts[index + 1] - 1 - lines.returned[index],
             after=np.append(lines.starts[index[1:]], lines.starts[last]),
             code=np.where(own, lines.code_at[index], lines.lead[index]),
             code_end=np.where(own, lines.code_end[index], lines.lead[index]),
-        )
+        )  # fmt: skip
         return places.moved(-int(lines.starts[first]))
 
     def _keep(self, run: PlainRun, first: int, last: int, moved: int, feed: float) -> None:
@@ -254,9 +255,15 @@ class RunReader:
         spindle = [code for code in lines.switches.of(first, last).number.tolist() if code in m_codes.SPINDLE]
         if spindle:
             state.spindle = m_codes.spindle_of(spindle[-1])
+        self._keep_numbers(first, last)
+
+    def _keep_numbers(self, first: int, last: int, placing: bool = False) -> None:
+        """Take into the state the numbers of the axes; placing: of lines alone that have the G code of a motion."""
+        state, lines = self._state, self._read.lines
         words = slice(*lines.first[[first, last]].tolist())
+        may = lines.code[lines.line[words]] >= 0 if placing else np.ones(words.stop - words.start, dtype=bool)
         for axis, row in state.row.items():
-            at = np.flatnonzero(lines.letter[words] == LETTERS.index(axis))
+            at = np.flatnonzero(may & (lines.letter[words] == LETTERS.index(axis)))
             if at.size:
                 place, end = (int(of[words][at[-1]]) for of in (lines.place, lines.end))
                 state.numbers[row] = self._read.text[place + 1 : end].strip()
@@ -275,14 +282,6 @@ def not_to_name(state: NcState) -> list[int] | None:
         if not unnamed[row] and (state.position[row] is None or (row in found and axis in LINEAR)):
             return None
     return found
-
-
-def _kept(values: NDArray[Any], known: NDArray[np.bool_], start: float) -> NDArray[Any]:
-    """The values that are known, each until the next is; start: before the first."""
-    if known.all():
-        return values
-    last = np.maximum.accumulate(np.where(known, np.arange(known.size), -1))
-    return np.where(last >= 0, values[np.maximum(last, 0)], start)
 
 
 def _positions(state: NcState, start: FloatArray, written: NDArray[np.bool_], given: FloatArray) -> FloatArray:
