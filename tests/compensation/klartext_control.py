@@ -25,7 +25,7 @@ class KlartextControl(Motions):
         self.pole: list[float] | None = None
         self.ended = False
         self.numbers: list[int] = []
-        self.cycle: dict[int, float] = {}  # values of CYCL DEF 200
+        self.cycle: dict[int, float] = {}  # values of CYCL DEF 200, 201, 203, 205; 0: which
 
     def run(self, program: str) -> "KlartextControl":
         joined = re.sub(r"(?:;[^\n]*)?~[ \t]*\n", " ", program)
@@ -53,11 +53,16 @@ class KlartextControl(Motions):
             self.length = self.tip = self.lengths.get(self.tool, 0.0)
         elif text.startswith("END PGM"):
             self.ended = True
-        elif text.startswith("CYCL DEF 200"):
+        elif match := re.match(r"CYCL DEF (20[0135])", text):
             self.cycle = {int(name): float(value) for name, value in re.findall(r"Q(\d+)=([-+\d.]+)", text)}
+            self.cycle[0] = float(match[1])
         elif match := re.match(r"(LP|L|CC|CP|CR|C)(?=\s|$)(.*)", text):
             self.path(match[1], match[2])
-        if re.search(r"\bM99\b|^CYCL CALL", text):
+        if match := re.match(r"CYCL CALL POS X([-+\d.]+) Y([-+\d.]+) Z([-+\d.]+) FMAX", text):
+            x, y, z = (float(value) for value in match.groups())
+            self.path("L", f"X{x} Y{y} FMAX")
+            self.drill({**self.cycle, 203: self.cycle[203] + z})
+        elif re.search(r"\bM99\b|^CYCL CALL", text):
             self.drill(self.cycle)
         if re.search(r"\bM0?(2|30)\b", text):
             self.ended = True
@@ -66,16 +71,23 @@ class KlartextControl(Motions):
         return 0.0 if machine else self.preset[row] + self.datum[row] + (self.length if row == 2 else 0.0)
 
     def drill(self, q: Mapping[int, float]) -> None:
-        """By rapid to the set-up clearance, in pecks from the surface down, by rapid to the larger clearance."""
+        """By rapid to the set-up clearance, in pecks from the surface down, by rapid to the larger clearance.
+
+        201 (reaming) goes in one step; 201, 203 and 205 come back to the clearance at a feed, 203 between pecks too.
+        """
         depth, clearance, bottom = q[203], q[203] + q[200], q[203] + q[201]
+        back, above = q.get(208, 99999.0) == 99999.0, q[258] if q[0] == 205.0 else q[200]
         self.deepen(clearance, True)
-        while depth - q[202] > bottom:
+        while q[0] != 201.0 and depth - q[202] > bottom:
             depth -= q[202]
             self.deepen(depth, False)
-            self.deepen(clearance, True)
-            self.deepen(depth + q[200], True)
+            self.deepen(clearance, back or q[0] != 203.0)
+            self.deepen(depth + above, True)
         self.deepen(bottom, False)
-        self.deepen(q[203] + max(q[200], q[204]), True)
+        if not back:
+            self.deepen(clearance, False)
+        if back or q[204] > q[200]:
+            self.deepen(q[203] + max(q[200], q[204]), True)
 
     def deepen(self, value: float, rapid: bool) -> None:
         self.move([[*self.at[:2], value * self.unit + self.shift(2, False)]], rapid)

@@ -26,7 +26,7 @@ class SiemensControl(Motions):
         self.selected = self.spindle = 0
         self.motion, self.absolute = 0, True
         self.ended = False
-        self.called: list[float] = []  # by MCALL, as written: where a hole begins, its bottom, where it ends
+        self.called: list[tuple[float, bool]] = []  # by MCALL, as written: to where in a hole, and whether by rapid
 
     def run(self, program: str) -> "SiemensControl":
         for line in program.splitlines():
@@ -43,8 +43,8 @@ class SiemensControl(Motions):
         if re.match(r"(ROT|SCALE|MIRROR)\s*$", text):
             self.program = [0.0] * 3
             return
-        if match := re.match(r"(MCALL\b)?\s*(?:CYCLE8[12]\((.*)\))?\s*$", text):
-            hole = self.hole_of(match[2]) if match[2] else []
+        if match := re.match(r"(MCALL\b)?\s*(?:CYCLE8([123])\((.*)\))?\s*$", text):
+            hole = (self.deep_hole_of if match[2] == "3" else self.hole_of)(match[3]) if match[3] else []
             if match[1]:
                 self.called = hole
             else:
@@ -71,15 +71,41 @@ class SiemensControl(Motions):
         )
         self.ended |= any(name == "M" and value in (2.0, 30.0) for name, _, value in words)
 
-    def hole_of(self, arguments: str) -> list[float]:
+    def hole_of(self, arguments: str) -> list[tuple[float, bool]]:
         """CYCLE81, CYCLE82: retraction, reference plane, clearance, depth or depth below the reference plane."""
         given = [float(text) if text.strip() else 0.0 for text in [*arguments.split(","), ""]]
         depth = given[3] if arguments.split(",")[3].strip() else given[1] - abs(given[4])
-        return [given[1] + abs(given[2]), depth, given[0]]
+        return [(given[1] + abs(given[2]), True), (depth, False), (given[0], True)]
 
-    def drill(self, hole: Sequence[float]) -> None:
-        """By rapid to the clearance, at the feed to the depth, by rapid back; modes are as before."""
-        for value, rapid in zip(hole, (True, False, True), strict=True):
+    def deep_hole_of(self, arguments: str) -> list[tuple[float, bool]]:
+        """CYCLE83: RTP RFP SDIS DP DPR FDEP FDPR DAM DTB DTS FRF VARI AXN MDEP VRT DTD DIS1."""
+        texts = [*arguments.split(","), *[""] * 20]
+        given = [float(text) if text.strip() else 0.0 for text in texts]
+        start, reference = given[1] + abs(given[2]), given[1]
+        end = given[3] if texts[3].strip() else reference - abs(given[4])
+        depth = given[5] if texts[5].strip() else reference - abs(given[6])
+        degression, stroke, clear_chips = given[7], reference - depth, given[11] == 1.0
+        break_by = given[14] or 1.0 / self.unit
+        total = (start - end) * self.unit
+        anticipation = given[16] or (0.6 if total <= 30.0 else min(total / 50.0, 7.0)) / self.unit
+        hole = [(start, True), (depth, False)]
+        while depth > end:
+            hole += [(start, True), (depth + anticipation, True)] if clear_chips else [(depth + break_by, False)]
+            rest = depth - end
+            stroke = max(stroke - degression, degression)
+            if degression and degression < rest <= 2.0 * degression:
+                stroke = rest / 2.0
+                hole += [(depth - stroke, False)]
+                depth -= stroke
+                hole += [(start, True), (depth + anticipation, True)] if clear_chips else [(depth + break_by, False)]
+                stroke = rest
+            depth = max(depth - stroke, end)
+            hole.append((depth, False))
+        return [*hole, (given[0], True)]
+
+    def drill(self, hole: Sequence[tuple[float, bool]]) -> None:
+        """Modes are as before."""
+        for value, rapid in hole:
             self.move([[*self.at[:2], value * self.unit + self.origin(2, False)]], rapid)
 
     def code(self, value: float) -> None:

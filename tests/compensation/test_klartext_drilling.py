@@ -20,6 +20,16 @@ CYCL DEF 200 DRILLING ~
   Q211=+0.2 ;DWELL TIME AT DEPTH ~
   Q395=+0 ;DEPTH REFERENCE
 """
+COMMON = "Q200=2 ~\nQ201=-20 ~\nQ206=150 ~\nQ211=0 ~\nQ203=1.5 ~\nQ204=50"
+REAMING = f"CYCL DEF 201 REAMING ~\n{COMMON} ~\nQ208=500\n"
+UNIVERSAL = (
+    f"CYCL DEF 203 UNIVERSAL DRILLING ~\n{COMMON} ~\nQ202=8 ~\nQ210=0 ~\nQ212=0 ~\nQ213=0 ~\nQ205=3 ~\nQ208=900 ~\n"
+    "Q256=0.2\n"
+)
+PECKING = (
+    f"CYCL DEF 205 UNIVERSAL PECKING ~\n{COMMON} ~\nQ202=6 ~\nQ212=0 ~\nQ205=3 ~\nQ258=0.4 ~\nQ259=0.4 ~\nQ257=0 ~\n"
+    "Q256=0.2 ~\nQ379=0\n"
+)
 HEAD = "BEGIN PGM D MM\nTOOL CALL 5 Z S3000\n"
 BLOCKS = """\
 CYCL DEF 7.0 DATUM SHIFT
@@ -62,6 +72,29 @@ def test_holes_are_right_along_the_path(tmp_path: Path, peck: str, second: str, 
     assert numbers == sorted(set(numbers))
 
 
+@pytest.mark.parametrize(
+    ("cycle", "feeds"),
+    [
+        (REAMING, {"150": 1, "500": 1}), (REAMING.replace("Q208=500", "Q208=0"), {"150": 2}),
+        (REAMING.replace("Q204=50", "Q204=2"), {"150": 1, "500": 1}), (UNIVERSAL, {"150": 3, "900": 3}),
+        (UNIVERSAL.replace("Q208=900", "Q208=+99999"), {"150": 3}), (PECKING, {"150": 4}),
+        (PECKING.replace("Q379=0", "Q379=0 ~\nQ208=700"), {"150": 4, "700": 1}),
+    ],
+)  # fmt: skip
+def test_other_drilling_cycles(tmp_path: Path, cycle: str, feeds: dict[str, int]) -> None:
+    """By the cycles' descriptions in the manuals, called in place, by M99 and at a position with a shift in Z."""
+    calls = "CYCL CALL\nL X+150 Y+3 R0 FMAX M99\nCYCL CALL POS X+120 Y+40.5 Z-7.25 FMAX M8 ; third\nL Z+80 R0 FMAX\n"
+    source = f"{HEAD}L X+10 Y+5 Z+70 R0 FMAX M3\n{cycle}{calls}END PGM D MM\n"
+    written = compensated(tmp_path, source)
+    before, after = largest_error(source, written)
+    assert before > 0.01
+    assert after < ALONG
+    for feed, number in feeds.items():
+        assert len(re.findall(rf" F{feed}$", written, re.MULTILINE)) == 3 * number
+    assert "M8 ; third\n" in written
+    assert "CALL POS" not in written
+
+
 def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
     blocks = "L X+50 F100\nL X+60\n"
     assert not [note for note in notes_of(tmp_path, CYCLE.format(peck=9, second=9) + blocks) if "written out" in note]
@@ -74,10 +107,37 @@ def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
     [
         ("L X+5 F100 M99", "M99 calls the cycle that is defined before"),
         ("CYCL CALL", "calls a cycle"),
-        (CYCLE.format(peck="Q5", second=9) + "L X+5 F100 M99", "M99 calls the cycle that is defined before"),
-        (CYCLE.format(peck=9, second=9).replace("Q201=-", "Q201=+") + "CYCL CALL", "calls a cycle"),
-        (CYCLE.format(peck=9, second=9).replace("Q395=+0", "Q395=+1") + "CYCL CALL", "calls a cycle"),
-        (CYCLE.format(peck=9, second=9) + "CYCL DEF 201 REAMING~\n Q200=2\nCYCL CALL", "calls a cycle"),
+        (
+            CYCLE.format(peck="Q5", second=9) + "L X+5 F100 M99",
+            "CYCL DEF 200 is called with Q202=Q5, which is no number",
+        ),
+        (
+            CYCLE.format(peck=9, second=9).replace("Q201=-", "Q201=+") + "CYCL CALL",
+            "CYCL DEF 200 is called with a depth Q201 that is not below 0",
+        ),
+        (
+            CYCLE.format(peck=9, second=9).replace("Q395=+0", "Q395=+1") + "CYCL CALL",
+            "with Q395, which counts the depth from the edge",
+        ),
+        (
+            CYCLE.format(peck=9, second=9) + "CYCL DEF 201 REAMING~\n Q200=2\nCYCL CALL",
+            "CYCL DEF 201 is called without Q201",
+        ),
+        (
+            CYCLE.format(peck=9, second=9) + "CYCL DEF 207 TAPPING~\n Q200=2\nCYCL CALL M3",
+            "CYCL DEF 207 is called, whose",
+        ),
+        (UNIVERSAL.replace("Q213=0", "Q213=2") + "CYCL CALL", "with Q213, which breaks chips"),
+        (UNIVERSAL.replace("Q212=0", "Q212=0.5") + "CYCL CALL", "Q212, which makes each plunging depth"),
+        (PECKING.replace("Q257=0", "Q257=3") + "CYCL CALL", "Q257, which breaks chips"),
+        (PECKING.replace("Q259=0.4", "Q259=0.5") + "CYCL CALL", "Q259 other than Q258"),
+        (PECKING.replace("Q379=0", "Q379=3") + "CYCL CALL", "Q379, which begins in a hole"),
+        (UNIVERSAL + "CYCL CALL POS X+1 Y+2 FMAX", "CYCL CALL POS with other words"),
+        (UNIVERSAL + "CYCL CALL POS X+1 Y+2 IZ+0 FMAX", "CYCL CALL POS with other words"),
+        (UNIVERSAL + "CYCL CALL POS X+1 Y+2 Z+0 F500", "CYCL CALL POS with other words"),
+        (UNIVERSAL + "CYCL CALL POS X+1 Y+2 Z+60 FMAX", "below the surface"),
+        (UNIVERSAL + "CYCL CALL POS X+1 Y+2 Z+0 FMAX M9", "a code due at its end"),
+        ("CYCL CALL POS X+1 Y+2 Z+0 FMAX M3", "calls a cycle"),
         (CYCLE.format(peck=9, second=9) + "CYCL CALL PAT F300", "calls a cycle"),
         (CYCLE.format(peck=9, second=9) + "L X+5 F100 M9 M99", "a code due at its end"),
         (CYCLE.format(peck=9, second=9) + "/L X+5 F100 M99", "a block with /"),
@@ -89,4 +149,4 @@ def test_calls_that_are_not_followed_are_named(tmp_path: Path, blocks: str, word
         compensated(tmp_path, f"{HEAD}L X+0 Y+0 Z+50 R0 FMAX\n{blocks}\nEND PGM D MM\n")
     assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
     if "M99 calls" in words:
-        assert "CYCL DEF 200 with numbers is followed" in caught.value.faults[0].remedy
+        assert "CYCL DEF 200, 201, 203 or 205 with numbers" in caught.value.faults[0].remedy

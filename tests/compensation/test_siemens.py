@@ -129,6 +129,33 @@ def test_drilling_cycles_that_are_called_are_written_out(tmp_path: Path) -> None
     assert sum(len(run) == 2 and abs(run[0][2] - run[1][2]) > 9 for run in control.runs) > 5
 
 
+@pytest.mark.parametrize(
+    ("arguments", "feeds"),
+    [
+        ("50,-1.5,2,-20.5,,-6.5,,0,0.5,0.2,1,1", 4), ("50,-1.5,2,,19,,5,,,,,0,,,0.4,1.5", 7),
+        ("50,-1.5,2,-31.5,,,10,3,0,0,1,1,0,0,0,0,1.2,0,1,12", 6), ("50,-1.5,2,-50,,-15,,4,,,,0", 15),
+        ("50,-1.5,2,-20.5,,-20.5,,,,,1,1", 1), ("60,5,2,-40,,,9,,,,,1,,,,,,,1,2", 5),
+    ],
+)  # fmt: skip
+def test_deep_holes(tmp_path: Path, arguments: str, feeds: int) -> None:
+    """The pecks of CYCLE83 as its description has them; dwells at each depth, at the top and at the last depth."""
+    call = f"CYCLE83({arguments})"
+    blocks = f"N50 G0 X100 Y20 Z60 S3000 M3\nF300\n{call}\nG0 X140\nMCALL {call}\nX10 Y90.5\nMCALL\nM30\n"
+    source = f"G17 G71 G90 G54\nT5 M6\nD1\nTRANS X=10 Z5\n{blocks}"
+    written = compensated(tmp_path, source)
+    before, after = largest_error(source, written)
+    assert before > 0.01
+    assert after < ALONG
+    assert len(re.findall(r"^G1 ", written, re.MULTILINE)) == 2 * feeds
+    dwells = re.findall(r"^G4 (\S+)", written, re.MULTILINE)
+    first = arguments.startswith("50,-1.5,2,-20.5,,-6.5")
+    assert dwells == (
+        2 * ["F0.5", "F0.2", "F0.5", "F0.2", "F0.5", "F0.2", "F0.5"]
+        if first
+        else 2 * ["F1.5"] * (",1.5" in arguments[9:])
+    )
+
+
 def test_a_called_cycle_keeps_the_switch_of_its_block_and_a_last_line_without_an_end(tmp_path: Path) -> None:
     source = "G71 G90 G54\nT5 M6\nD1\nG0 X0 Y0 Z10\nF100\nMCALL CYCLE81(10,0,2,-3)\n/X50\nX60"
     written = compensated(tmp_path, source, block_delete="run")
@@ -166,8 +193,16 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("CYCLE81(1,0,2,-20)", "RTP not above it"),
         ("CYCLE82(10,0,2,-20,,1,10,0,10)", "with a mode"),
         ("CYCLE82(10,0,2,-20,,1,0,0,11)", "with a mode"),
-        ("CYCLE83(10,0,2,-20)", "CYCLE83 is a cycle or a subprogram"),
-        ("MCALL CYCLE83(10,0,2,-20)", "CYCLE83 is a cycle or a subprogram"),
+        ("CYCLE83(10,0,2,-20)", "CYCLE83 without one of FDEP and FDPR"),
+        ("MCALL CYCLE83(10,0,2,-20,,-5,4)", "CYCLE83 without one of FDEP and FDPR"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,1)", "CYCLE83 without VARI 0 or 1"),
+        ("CYCLE83(10,0,2,-20,,-5,,-0.8,,,1,1)", "CYCLE83 with _DAM below 0"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,0.5,1)", "CYCLE83 with FRF other than 1"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,1)", "CYCLE83 with _AXN"),
+        ("CYCLE83(10,0,2,-20,,-25,,,,,1,1)", "CYCLE83 with a first depth that is not between"),
+        ("CYCLE83(10,0,2,-20,,,0.001,,,,1,1)", "CYCLE83 with more than 10000 pecks"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,,,,,,,10,11)", "CYCLE83 with a mode"),
+        ("CYCLE84(10,0,2,-20)", "CYCLE84 is a cycle or a subprogram"),
         ("MCALL CYCLE81(10,0,2,-20) X5", "beside other words"),
         ("MCALL CYCLE81(10,0,2,-20)\nSUPA G0 X5", "machine coordinates, or the end"),
         ("G93 G1 X1 F9\nCYCLE81(10,0,2,-20)", "a cycle under G93"),

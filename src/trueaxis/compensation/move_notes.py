@@ -20,6 +20,10 @@ TURNS_ALONE = (
     "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
+DEEP_WRITTEN_OUT = (
+    "CYCLE83 is written out in the pecks of the cycle as delivered; chips are broken by 1 mm (_VRT), and pecks begin "
+    "0.6 mm above the last depth, 1/50 of depths above 30 mm (_DIS1), where the call does not say otherwise"
+)
 KEPT = "{} stays a cycle, with corrected X, Y, Z and R: how Z goes and the spindle turns in the hole is for the control"
 STORED = "K0 or L0: the words of the cycle are stored, and nothing is drilled"
 ONE_PECK = "Q is no less than the way from R to Z: each hole is drilled in one peck"

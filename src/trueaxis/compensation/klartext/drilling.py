@@ -1,88 +1,21 @@
-"""CYCL DEF 200 (drilling) of Heidenhain Klartext, called by CYCL CALL or M99: its holes, written out as L."""
+"""The holes of drilling cycles of Heidenhain Klartext, written out as L where the cycles are called."""
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
 
-from trueaxis.compensation.klartext.blocks import KlartextBlock, head_of
+from trueaxis.compensation.klartext.blocks import KlartextBlock
+from trueaxis.compensation.klartext.cycles import PLAIN_CYCLES, Call, Drilling, NotFollowed
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Split
-from trueaxis.compensation.nc.cycle_blocks import MOST_PECKS
-from trueaxis.compensation.nc.lexer import LARGEST, NUMBER
 from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, unknown_position
 from trueaxis.compensation.settings import Settings
 
-_DEFINITION = re.compile(r"CYCLE?[ \t]+DEF[ \t]+(\d+)(?:\.\d+)?", re.IGNORECASE)
-_VALUE = re.compile(rf"Q(\d+)[ \t]*=[ \t]*({NUMBER}|\S+)", re.IGNORECASE)
-_CALL = re.compile(r"[ \t]*(?:CYCLE?[ \t]+CALL(?=[ \t]*(?:$|;|~|M))|(?<![\w.])M[ \t]*99(?![\w.]))", re.IGNORECASE)
-_BARE = re.compile(r"(?:L[ \t]*)?(?:R0[ \t]*)?(?:FMAX[ \t]*)?", re.IGNORECASE)
-_DRILLING = 200
-# what acts where it is defined leaves the cycle that is called as it was: datum, mirror, dwell, rotation, scaling,
-# spindle, contours, tilt, tolerance, preset
-_AT_ONCE = frozenset({7, 8, 9, 10, 11, 13, 14, 19, 20, 26, 32, 247})
-_NEEDED = frozenset({200, 201, 202, 203, 206})
-_OPTIONAL = frozenset({204, 210, 211, 395})
 WRITTEN_OUT = (
-    "CYCL DEF 200 is written out as L where it is called; between pecks it goes back to Q200 above the last depth"
+    "CYCL DEF {0} is written out as L where it is called; between pecks it goes back to {1} above the last depth"
 )
 _DWELLS = -1  # beside the kinds of motions
 _SAME = 1e-9
 _DWELL = "{0}CYCL DEF 9.0 DWELL TIME{2}{0}CYCL DEF 9.1 DWELL {1:g}{2}"
-
-
-class Drilling(NamedTuple):
-    """Lengths as written, in the frame in force. surface: of the part; clearance: how far above it, and above the depth
-    of the peck before, the feed begins; clear: where the hole ends; peck: 0 for the whole depth; feed: mm/min or 0.1
-    inch/min; dwells (s) at the clearance between pecks, and at the bottom.
-    """
-
-    surface: float
-    clearance: float
-    bottom: float
-    clear: float
-    peck: float
-    feed: float
-    dwell_above: float
-    dwell: float
-
-
-def defined(text: str, before: Drilling | None) -> Drilling | None:
-    """The cycle that a call means after this block; None: one that is not followed. text: with its comments."""
-    plain = re.sub(r";[^\n]*", "", text)
-    definition = _DEFINITION.search(plain)
-    if definition is None or int(definition[1]) in _AT_ONCE:
-        return before
-    if int(definition[1]) != _DRILLING:
-        return None
-    values = {int(name): value for name, value in _VALUE.findall(plain)}
-    if not values.keys() >= _NEEDED or not values.keys() <= _NEEDED | _OPTIONAL:
-        return None
-    if not all(re.fullmatch(NUMBER, value) and abs(float(value)) < LARGEST for value in values.values()):
-        return None
-    q = {name: float(value) for name, value in values.items()}
-    peck, feed, clearance, surface = q[202], q[206], q[200], q[203]
-    bottom = surface + q[201]
-    right = q[201] < 0.0 < feed and clearance >= 0.0 <= peck and not q.get(395)
-    if not right or (peck and -q[201] / peck > MOST_PECKS):
-        return None
-    clear = surface + max(clearance, q.get(204, 0.0))
-    return Drilling(
-        surface=surface, clearance=clearance, bottom=bottom, clear=clear, peck=peck, feed=feed,
-        dwell_above=q.get(210, 0.0), dwell=q.get(211, 0.0),
-    )  # fmt: skip
-
-
-def without_call(text: str) -> str | None:
-    """A block without its call of a cycle, empty if nothing remains; None if it has none."""
-    code, sign, comment = text.partition(";")
-    if not _CALL.search(code):
-        return None
-    rest = _CALL.sub("", code.rstrip("\r\n"))
-    eol = text[len(text.rstrip("\r\n")) :]
-    if _BARE.fullmatch(head_of(f"{rest} ")[2].strip()):
-        return ""
-    return f"{rest.rstrip()} {sign}{comment}" if sign else rest + eol
 
 
 @dataclass(slots=True)
@@ -106,6 +39,23 @@ class ModalFeed:
         return block, text
 
 
+def problem_of(call: Call, cycle: Drilling | NotFollowed, due: bool, state: NcState) -> tuple[str, str] | None:
+    """What is wrong with a call; due: whether its block has / or a code due at its end."""
+    if isinstance(cycle, NotFollowed):
+        return cycle.problem, PLAIN_CYCLES
+    if due:
+        return "a call of a cycle in a block with / or a code due at its end", "two blocks"
+    if call.problem:
+        return call.problem, "as CYCL CALL POS X+10 Y+20 Z+0 FMAX"
+    row = state.row.get("Z")
+    if call.goes and row is not None:
+        surface = (cycle.surface + call.shift) * state.scale("Z") + (state.shift[row] if state.shift else 0.0)
+        z = state.position[row]
+        if z is None or state.commanded.of([row]) < Commanded.ABSOLUTE or z < surface:  # it would rise first
+            return "CYCL CALL POS from where Z is not certain, or below the surface", "L Z above it before"
+    return None
+
+
 class HoleWriter:
     """Writes the blocks of a hole."""
 
@@ -126,12 +76,12 @@ class HoleWriter:
                 self._number, "a drilling cycle where X or Y is not certain, or under M128", "command them before, M129"
             )
             return
-        self._notes.add(self._number, WRITTEN_OUT)
-        for what, z in _steps(drilling):
+        self._notes.add(self._number, WRITTEN_OUT.format(drilling.number, "Q258" if drilling.number == 205 else "Q200"))
+        for what, z, feed in _steps(drilling):
             if what == _DWELLS:
                 yield _DWELL.format(self._head, z, self._eol)
             else:
-                yield from self._go(Kind(what), z, drilling.feed)
+                yield from self._go(Kind(what), z, feed)
 
     def _go(self, kind: Kind, z: float, feed: float) -> Iterator[Item]:
         """A straight motion to Z, as written."""
@@ -154,19 +104,22 @@ class HoleWriter:
         )  # fmt: skip
 
 
-def _steps(drilling: Drilling) -> Iterator[tuple[int, float]]:
-    """Motions with their ends, and dwells with their times."""
+def _steps(drilling: Drilling) -> Iterator[tuple[int, float, float]]:
+    """Motions with their ends and F, and dwells with their times."""
     top = drilling.surface + drilling.clearance
-    yield Kind.RAPID, top
+    yield Kind.RAPID, top, 0.0
     depth = drilling.surface - drilling.peck
     while drilling.peck and depth > drilling.bottom + _SAME:
-        yield Kind.LINE, depth
-        yield Kind.RAPID, top
+        yield Kind.LINE, depth, drilling.feed
+        yield (Kind.LINE if drilling.between else Kind.RAPID), top, drilling.between
         if drilling.dwell_above > 0.0:
-            yield _DWELLS, drilling.dwell_above
-        yield Kind.RAPID, depth + drilling.clearance
+            yield _DWELLS, drilling.dwell_above, 0.0
+        yield Kind.RAPID, depth + drilling.above, 0.0
         depth -= drilling.peck
-    yield Kind.LINE, drilling.bottom
+    yield Kind.LINE, drilling.bottom, drilling.feed
     if drilling.dwell > 0.0:
-        yield _DWELLS, drilling.dwell
-    yield Kind.RAPID, drilling.clear
+        yield _DWELLS, drilling.dwell, 0.0
+    if drilling.retract:
+        yield Kind.LINE, top, drilling.retract
+    if drilling.clear > top or not drilling.retract:
+        yield Kind.RAPID, drilling.clear, 0.0

@@ -21,7 +21,8 @@ from trueaxis.compensation.klartext.blocks import (
     other_block,
     too_long,
 )
-from trueaxis.compensation.klartext.drilling import Drilling, HoleWriter, ModalFeed, defined, without_call
+from trueaxis.compensation.klartext.cycles import Drilling, NotFollowed, call_of, defined
+from trueaxis.compensation.klartext.drilling import HoleWriter, ModalFeed, problem_of
 from trueaxis.compensation.klartext.ends import POLAR, ends_of
 from trueaxis.compensation.klartext.tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.logs import FaultLog
@@ -54,9 +55,8 @@ class KlartextReader:
         self._frames = FrameReader(self._state, settings, faults, notes)
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]
         self._pole: dict[str, float] = {}  # of X and Y, in the frame in force, mm
-        self._preset = ""
-        self._drilling: Drilling | None = None  # what a call of a cycle makes
-        self._feed = ModalFeed()
+        self._cycle: Drilling | NotFollowed | None = None  # that is called
+        self._preset, self._feed = "", ModalFeed()
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
@@ -76,16 +76,19 @@ class KlartextReader:
 
     def _block(self, number: int, text: str) -> list[Item]:
         """A block, and the hole where it calls the cycle that is defined before."""
-        drilling = None if self._state.ended else self._drilling
-        if drilling is None or (rest := without_call(text)) is None:
+        cycle, call = None if self._state.ended else self._cycle, call_of(text)
+        if cycle is None or call is None:
             return self._read(number, text)
         head, optional, _ = head_of(text)
-        logs = self._faults, self._notes
-        if optional or set(lex_klartext(text).codes) & m_codes.AFTER:
-            self._faults.add(number, "a call of a cycle in a block with / or a code due at its end", "two blocks")
-        items = self._read(number, rest) if rest else []
+        due = bool(optional) or not m_codes.AFTER.isdisjoint(lex_klartext(call.rest).codes)
+        if problem := problem_of(call, cycle, due, self._state):
+            self._faults.add(number, *problem)
+        items = self._read(number, call.rest) if call.rest else []
+        if isinstance(cycle, NotFollowed):
+            return items
         self._feed.changed = True
-        return [*items, *HoleWriter(number, head, text, self._state, self._settings, logs).hole(drilling)]
+        writer = HoleWriter(number, head, text, self._state, self._settings, (self._faults, self._notes))
+        return [*items, *writer.hole(cycle.raised(call.shift))]
 
     def _read(self, number: int, text: str) -> list[Item]:
         state = self._state
@@ -109,7 +112,7 @@ class KlartextReader:
             if delete == "skip":
                 return [text]
         content = rest.partition(";")[0].replace("~", " ")
-        self._drilling = defined(text, self._drilling)
+        self._cycle = defined(text, self._cycle)
         if block.verb and block.verb not in ("CT", "CTP", "LN", "LT"):
             return self._path(number, text, block)
         if call := tool_call(content):
@@ -193,9 +196,8 @@ class KlartextReader:
         item: Item = text
         before = state.position
         take_codes(number, block.codes, bool(block.coordinates), state, self._faults)
-        items = self._switch(
-            number, next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
-        )
+        control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
+        items = self._switch(number, control)
         if block.feed is not None:
             state.feed = block.feed * (2.54 if state.inch else 1.0)
         state.fed = state.fed or block.feeds
@@ -289,12 +291,10 @@ class KlartextReader:
         kept = "".join(f" {word}" for word in block.others if word not in last)
         comment = f" {block.comment}" if block.comment else ""
         split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
-        kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
-        stops = any(code in m_codes.AFTER for code in block.codes)
         rounded = None if arc is None or self._settings.arcs != "keep" else as_arc(block)
         return Move(
-            number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
-            again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
-            state.commanded.elsewhere, state.commanded.unnamed, state.shift, elsewhere, whole, 0.0, rounded,
-            bool(whole),
+            number, Kind.ARC if arc else Kind(motion), end, written, True, state.inch, lead, tail + comment, " ", eol,
+            text if straight else "", again if rounded else lead, split, arc, m_codes.AFTER.isdisjoint(block.codes),
+            state.feed, state.commanded.command(commands, True), state.commanded.elsewhere, state.commanded.unnamed,
+            state.shift, elsewhere, whole, 0.0, rounded, bool(whole),
         )  # fmt: skip

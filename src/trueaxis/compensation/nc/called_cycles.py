@@ -1,12 +1,13 @@
-"""Cycles that a SINUMERIK program calls, CYCLE81 and CYCLE82, written out as rapids and lines."""
+"""Cycles that a SINUMERIK program calls, CYCLE81, CYCLE82 and CYCLE83, written out as rapids and lines."""
 
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.move_notes import WRITTEN_OUT
+from trueaxis.compensation.move_notes import DEEP_WRITTEN_OUT, WRITTEN_OUT
 from trueaxis.compensation.moves import Item, Kind, Notes
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.canned_cycle import DrillingCall
-from trueaxis.compensation.nc.cycle_blocks import DWELL, FEED, CycleWriter, steps
+from trueaxis.compensation.nc.cycle_blocks import DWELL, FEED, CycleWriter
+from trueaxis.compensation.nc.drilling_call import DEEP, motions
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.lexer import Block, Meaning
 from trueaxis.compensation.nc.modes import note_unfed
@@ -25,7 +26,7 @@ class CallReader:
     def take(self, number: int, line: str, body: str, call: DrillingCall, again: str) -> list[Item]:
         """A block with a call: the hole where the axes stand, or none yet; the call itself is left out."""
         self._state.call = call if call.modal else None
-        if not call.code:
+        if not call.depths:
             return [line]
         eol = line[len(body) :] or "\n"
         items: list[Item] = [f"; {body.strip()}{eol}"]
@@ -55,20 +56,20 @@ class CallReader:
             return []
         row = state.row[axis]
         shift, scale = (state.shift[row] if state.shift else 0.0), state.scale(axis)
-        top, bottom, clear = (value * scale + shift for value in (call.top, call.bottom, call.clear))
         motion = state.motion
         note_unfed(number, state, self._notes)
         self._notes.add(number, WRITTEN_OUT)
+        if call.name == DEEP:
+            self._notes.add(number, DEEP_WRITTEN_OUT)
         self._frames.note_first(number)
         writer = CycleWriter(
             state, number, "", Block((), ""), eol, again, self._assumed, self._faults, with_return=False
         )
-        writer.go(Kind.RAPID, {axis: top})
-        for what, end in steps(call.code, top, bottom, clear, (0.0, 0.0), bool(call.dwell)):
+        for what, end, words in motions(call, scale):
             if what == DWELL:
-                writer.say(f"G4 {call.dwell}")
+                writer.say(f"G4 {words}")
             else:
-                writer.go(Kind.LINE if what == FEED else Kind.RAPID, {axis: end})
+                writer.go(Kind.LINE if what == FEED else Kind.RAPID, {axis: end * scale + shift})
         state.motion = motion
         return writer.finished()
 

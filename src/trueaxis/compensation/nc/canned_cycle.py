@@ -46,16 +46,20 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DrillingCall:
-    """A cycle that a SINUMERIK program calls, lengths as written, in the frame in force. code: of the canned cycle
-    (times ten) with the same motions in a hole, 0: no modal call from here on. top: where the feed begins; clear: where
-    it ends; dwell: the words of G4, empty for none; modal: whether it is called after each block that moves.
+    """A cycle that a SINUMERIK program calls, lengths as written, in the frame in force. depths: to which it drills one
+    after another; none: no modal call from here on. top: where the feed begins; clear: where it ends. back: how far it
+    goes back between depths, at the feed, 0: to the top, by rapid, and again to `ahead` above the depth before; None:
+    what the control takes. dwells: the words of G4 at each depth, at the top between them, and at the last depth, empty
+    for none. modal: whether it is called after each block that moves.
     """
 
-    code: int
+    name: str = ""
+    depths: tuple[float, ...] = ()
     top: float = 0.0
-    bottom: float = 0.0
     clear: float = 0.0
-    dwell: str = ""
+    back: float | None = 0.0
+    ahead: float | None = None
+    dwells: tuple[str, str, str] = ("", "", "")
     modal: bool = False
 
 

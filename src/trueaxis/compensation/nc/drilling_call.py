@@ -1,19 +1,26 @@
-"""CYCLE81 and CYCLE82 of SINUMERIK: what their arguments ask for."""
+"""CYCLE81, CYCLE82 and CYCLE83 of SINUMERIK: what their arguments ask for, and the motions of a hole."""
 
 import re
+from collections.abc import Iterator
 
 from trueaxis.compensation.nc.canned_cycle import DrillingCall
+from trueaxis.compensation.nc.cycle_blocks import DWELL, FEED, MOST_PECKS, RAPID
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER
 
-DRILLING = {"CYCLE81": 810, "CYCLE82": 820}  # with the canned cycles (times ten) that make the same motions in a hole
+DEEP = "CYCLE83"
+DRILLING = frozenset({"CYCLE81", "CYCLE82", DEEP})
 MODAL = "MCALL"
-END_OF_CALLS = DrillingCall(code=0)
+END_OF_CALLS = DrillingCall()
 _ARGUMENT = re.compile(rf"[ \t]*+({NUMBER})?[ \t]*+")
 _MOST = 9  # RTP RFP SDIS DP DPR DTB _GMODE _DMODE _AMODE
+_MOST_DEEP = 20  # RTP RFP SDIS DP DPR FDEP FDPR _DAM DTB DTS FRF VARI _AXN _MDEP _VRT _DTD _DIS1 _GMODE _DMODE _AMODE
 # _GMODE, _DMODE and _AMODE that change neither depth nor plane; posts leave DTB out before them in CYCLE81, so that
 # each may stand one place further to the left
 _MODES = ((0.0,), (0.0, 1.0, 10.0, 12.0), (0.0, 2.0, 10.0, 12.0))
-PLAIN_ARGUMENTS = "RTP, RFP, SDIS, DP or DPR, DTB as numbers, 0 for further ones"
+PLAIN_ARGUMENTS = "RTP, RFP, SDIS, DP or DPR, DTB as numbers, of CYCLE83 FDEP or FDPR, and VARI; 0 for further ones"
+# of the control, mm: how far it goes back to break chips (_VRT 0), and stays above the depth before (_DIS1 0)
+_BACK = 1.0
+_AHEAD, _DEPTH_OF_AHEAD, _MOST_AHEAD = 0.6, 30.0, 7.0
 
 
 class CallError(Exception):
@@ -22,9 +29,11 @@ class CallError(Exception):
 
 def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall:
     """The cycle that a call asks for. Raises CallError."""
-    given = _numbers(arguments or "()")
-    retract, reference, clearance, depth, relative, dwell, *modes = given + [None] * (_MOST - len(given))
-    if any(mode not in (None, *right) for mode, right in zip(modes, _MODES, strict=True)):
+    most = _MOST_DEEP if name == DEEP else _MOST
+    given = _numbers(arguments or "()", most)
+    given += [None] * (most - len(given))
+    retract, reference, clearance, depth, relative = given[:5]
+    if any(mode not in (None, *right) for mode, right in zip(given[-3:], _MODES, strict=True)):
         raise CallError(f"{name} with a mode (_GMODE, _DMODE, _AMODE) that is not followed")
     if retract is None or reference is None or (depth is None) == (relative is None):
         raise CallError(f"{name} without RTP, RFP and one of DP and DPR")
@@ -32,24 +41,95 @@ def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall
     bottom = depth if depth is not None else reference - abs(relative or 0.0)
     if not bottom < top <= retract:
         raise CallError(f"{name}: the depth is not below RFP + SDIS, or RTP not above it")
-    return DrillingCall(
-        code=DRILLING[name], top=top, bottom=bottom, clear=retract, dwell=_dwell(dwell or 0.0), modal=modal
+    if name == DEEP:
+        return _deep(given, reference, DrillingCall(name=name, depths=(bottom,), top=top, clear=retract, modal=modal))
+    dwell = _dwell(given[5])
+    return DrillingCall(name=name, depths=(bottom,), top=top, clear=retract, dwells=(dwell, "", dwell), modal=modal)
+
+
+def _deep(given: list[float | None], reference: float, plain: DrillingCall) -> DrillingCall:
+    """CYCLE83: in pecks, chips broken (VARI 0) or taken out (1)."""
+    first, first_relative, smaller, dwell, dwell_above, share, way, axis, least, back, dwell_last, ahead = given[5:17]
+    if (first is None) == (first_relative is None):
+        raise CallError(f"{DEEP} without one of FDEP and FDPR")
+    first = first if first is not None else reference - abs(first_relative or 0.0)
+    problems = (
+        (not plain.depths[0] <= first < plain.top, "with a first depth that is not between RFP + SDIS and the depth"),
+        ((smaller or 0.0) < 0.0 or bool(least), "with _DAM below 0 or _MDEP (a share of the peck before)"),
+        (share not in (None, 0.0, 1.0), "with FRF other than 1 (another feed to the first depth)"),
+        (way not in (0.0, 1.0), "without VARI 0 or 1"),
+        (axis not in (None, 0.0), "with _AXN (another axis)"),
+        (min(back or 0.0, ahead or 0.0) < 0.0, "with _VRT or _DIS1 below 0"),
     )
+    for wrong, problem in problems:
+        if wrong:
+            raise CallError(f"{DEEP} {problem}")
+    return DrillingCall(
+        name=DEEP, depths=tuple(_depths(reference, first, plain.depths[0], smaller or 0.0)), top=plain.top,
+        clear=plain.clear, back=0.0 if way else back or None, ahead=ahead or None,
+        dwells=(_dwell(dwell), _dwell(dwell_above), _dwell(dwell_last or dwell)), modal=plain.modal,
+    )  # fmt: skip
 
 
-def _dwell(count: float) -> str:
+def _depths(reference: float, first: float, bottom: float, smaller: float) -> Iterator[float]:
+    """Depths one after another: each peck smaller than the one before by `smaller`, and no smaller than that; what is
+    left of twice that is halved.
+    """
+    depth, peck = first, reference - first
+    for _ in range(MOST_PECKS):
+        yield depth
+        if depth <= bottom:
+            return
+        peck = max(peck - smaller, smaller)
+        left = depth - bottom
+        halved = smaller and smaller < left <= 2.0 * smaller
+        depth = depth - 0.5 * left if halved else max(depth - peck, bottom) if peck > 0.0 else bottom
+        if halved:
+            yield depth
+            depth = bottom
+    raise CallError(f"{DEEP} with more than {MOST_PECKS} pecks")
+
+
+def motions(call: DrillingCall, scale: float) -> Iterator[tuple[int, float, str]]:
+    """What is done in a hole: rapids and feed motions with their ends, as written, and dwells with their words; scale:
+    mm of a unit.
+    """
+    each, above, at_last = call.dwells
+    bottom, size = call.depths[-1], scale * (call.top - call.depths[-1])
+    back = _BACK / scale if call.back is None else call.back
+    of_control = _AHEAD if size <= _DEPTH_OF_AHEAD else min(size / 50.0, _MOST_AHEAD)
+    ahead = of_control / scale if call.ahead is None else call.ahead
+    yield RAPID, call.top, ""
+    for depth in call.depths[:-1]:
+        yield FEED, depth, ""
+        if each:
+            yield DWELL, depth, each
+        if back:
+            yield FEED, min(depth + back, call.top), ""
+            continue
+        yield RAPID, call.top, ""
+        if above:
+            yield DWELL, call.top, above
+        yield RAPID, min(depth + ahead, call.top), ""
+    yield FEED, bottom, ""
+    if at_last:
+        yield DWELL, bottom, at_last
+    yield RAPID, call.clear, ""
+
+
+def _dwell(count: float | None) -> str:
     """DTB counts seconds, below 0 turns of the spindle."""
-    return f"F{count:g}" if count > 0.0 else f"S{-count:g}" if count else ""
+    return "" if not count else f"F{count:g}" if count > 0.0 else f"S{-count:g}"
 
 
-def _numbers(arguments: str) -> list[float | None]:
-    """The arguments, None where one is left out."""
+def _numbers(arguments: str, most: int) -> list[float | None]:
+    """The arguments, None where one is left out; most: how many there may be."""
     found: list[float | None] = []
     for text in arguments[1:-1].split(","):
         match = _ARGUMENT.fullmatch(text)
         if match is None or (match[1] and abs(float(match[1])) > LARGEST):
             raise CallError(f"the argument {text.strip()[:20]!r} is no number that is followed")
         found.append(float(match[1]) if match[1] else None)
-    if len(found) > _MOST:
+    if len(found) > most:
         raise CallError("more arguments than are followed")
     return found

@@ -55,7 +55,7 @@ _UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + I
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _CALLS_CYCLE, _EACH_POSITION = "calls the cycle that is defined before", "calls a cycle at every position"
-_DRILLED = "CYCL DEF 200 with numbers is followed where M99 or CYCL CALL calls it; have others written out as L"
+_DRILLED = "CYCL DEF 200, 201, 203 or 205 with numbers before it; have others written out as L"
 _MODES = "saves or restores modes, so that later blocks read differently"
 
 # never passed, whoever vouches for them
