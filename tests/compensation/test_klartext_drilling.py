@@ -86,6 +86,8 @@ def test_other_drilling_cycles(tmp_path: Path, cycle: str, feeds: dict[str, int]
     calls = "CYCL CALL\nL X+150 Y+3 R0 FMAX M99\nCYCL CALL POS X+120 Y+40.5 Z-7.25 FMAX M8 ; third\nL Z+80 R0 FMAX\n"
     source = f"{HEAD}L X+10 Y+5 Z+70 R0 FMAX M3\n{cycle}{calls}END PGM D MM\n"
     written = compensated(tmp_path, source)
+    ends_of_dos = compensated(tmp_path, source.replace("\n", "\r\n"))
+    assert ends_of_dos == written.replace("\n", "\r\n")
     before, after = largest_error(source, written)
     assert before > 0.01
     assert after < ALONG

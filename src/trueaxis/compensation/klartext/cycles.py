@@ -133,13 +133,13 @@ class Call(NamedTuple):
 def call_of(text: str) -> Call | None:
     """The call in a block; None if it has none."""
     code, sign, comment = text.partition(";")
-    eol = text[len(text.rstrip("\r\n")) :]
-    end = f" {sign}{comment}" if sign else eol
+    end = f" {sign}{comment}" if sign else text[len(text.rstrip("\r\n")) :]
+    code = code.rstrip("\r\n")
     if found := _CALL_AT.search(code):
-        return _call_at(code[: found.start()], found[1].rstrip("\r\n"), end)
+        return _call_at(code[: found.start()], found[1], end)
     if not _CALL.search(code):
         return None
-    rest = _CALL.sub("", code.rstrip("\r\n"))
+    rest = _CALL.sub("", code)
     if _BARE.fullmatch(head_of(f"{rest} ")[2].strip()):
         return Call("")
     return Call((rest.rstrip() if sign else rest) + end)
