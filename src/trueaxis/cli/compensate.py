@@ -114,7 +114,7 @@ def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
     parser.add_argument("--rotary-resolution", type=float, default=default.rotary_resolution, metavar="DEG",
                         help="step of words of rotary axes (default %(default)s)")  # fmt: skip
     parser.add_argument("--chord-tolerance", type=float, default=default.chord_tolerance, metavar="MM",
-                        help="largest distance of an arc from its chords (default %(default)s)")  # fmt: skip
+                        help="largest distance of an arc from lines that it becomes (default %(default)s)")  # fmt: skip
     parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
                         help="iterate, or correct once (default %(default)s)")  # fmt: skip
     parser.add_argument("--arcs", choices=get_args(Arcs), default=default.arcs,

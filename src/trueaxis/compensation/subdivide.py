@@ -267,7 +267,7 @@ def _loads_of_arcs(
     """
     if not stay:
         return most.astype(np.float64)
-    return np.asarray(np.maximum(few_counts(radius, sweep, most), OF_ALL_CHORDS * most))
+    return np.asarray(np.maximum(few_counts(radius, sweep, most) - 1.0, OF_ALL_CHORDS * most))  # the block is one
 
 
 def _too_many(chords: int) -> tuple[str, str]:

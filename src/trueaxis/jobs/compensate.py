@@ -54,10 +54,10 @@ class Compensated(Printed, Tabular):
     """A compensated program. text: of the program; report: counts, lengths of error vectors, what was assumed;
     `report.good` says whether every point converged, is within tolerance and travel. axes: letters, the rows of
     positions; lines: (n,), of the given program; programmed, compensated: (n_axes, n), mm or deg, ends of motions with
-    those of chords and cuts, as programmed (NaN where an axis has no known position) and as the words that were written
-    name them; in machine coordinates, under tool centre point control those of the tip. file: where it was written,
-    None where it was not; notes: how far it may be relied on; left: with draws, the error that is left. Printed, it is
-    the report of `trueaxis compensate`.
+    those of chords and cuts (2.5 mm apart or less on arcs that stay arcs), as programmed (NaN where an axis has no
+    known position) and as the words that were written name them; in machine coordinates, under tool centre point
+    control those of the tip. file: where it was written, None where it was not; notes: how far it may be relied on;
+    left: with draws, the error that is left. Printed, it is the report of `trueaxis compensate`.
     """
 
     text: str = field(repr=False)
