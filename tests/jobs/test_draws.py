@@ -114,7 +114,8 @@ def test_two_workers_draw_the_same(model: ta.MachineModel, file: Path, tmp_path:
     assert (tmp_path / "1.parquet").read_bytes() == (tmp_path / "2.parquet").read_bytes()
     table = pl.read_parquet(tmp_path / "1.parquet")
     names = [f"{s}_{q}" for s in ("mean", "sd", "low", "high") for q in ("dx", "dy", "dz", "length")]
-    assert table.columns[-16:] == names
+    names += ["apart_dx", "apart_dy", "apart_dz"]
+    assert table.columns[-19:] == names
     assert table.null_count().sum_horizontal().item() == 0
     assert (table["low_length"] >= 0.0).all()
     there = ta.predict(model, ta.load_errors(file, model), positions(model, 5), draws=ta.Draws(count=3000, seed=5))
@@ -201,6 +202,15 @@ def test_numbers_out_of_their_range_are_told(
         ta.predict(model, errors, {"X": 1.0}, draws=draws)
 
 
-def test_too_many_points_are_refused(model: ta.MachineModel, errors: ta.Errors) -> None:
-    with pytest.raises(ta.InputError, match="is of 20001 points; 20000 at most"):
-        ta.predict(model, errors, {"X": np.linspace(0.0, 500.0, 20_001)}, draws=100)
+def test_points_are_drawn_in_blocks_unless_a_best_fit_is_of_all(model: ta.MachineModel, errors: ta.Errors) -> None:
+    many = {"X": np.linspace(0.0, 500.0, 20_001)}
+    with pytest.raises(ta.InputError, match="draws: is of the best fit of 20001 points; 20000 at most"):
+        ta.predict(model, errors, many, draws=100, datum="best-fit")
+    drawn = ta.predict(model, errors, many, draws=2).drawn
+    last = ta.predict(model, errors, {"X": 500.0}, draws=2).drawn
+    assert drawn is not None
+    assert last is not None
+    assert drawn.mean.shape == (4, 20_001)
+    np.testing.assert_allclose(
+        drawn.mean[:, -1:], last.mean, rtol=1e-12
+    )  # all blocks have the same draws of the values

@@ -81,20 +81,20 @@ def test_where_linear_propagation_says_something_else_is_told() -> None:
     normal = 1e-3 * source.standard_normal((50_000, 3, 4))
     none = drawn_of(tally_of(normal), np.zeros((3, 4)), np.full((3, 4), 1e-3))
     assert not none.differing.any()
-    assert none.farthest == 0.0
+    assert not none.apart.any()
     two_sided = normal.copy()
     two_sided[:, 1, 2] += 2e-3 * source.choice([-1.0, 1.0], 50_000)  # play that u does not know
     some = drawn_of(tally_of(two_sided), np.zeros((3, 4)), np.full((3, 4), 1e-3))
     assert np.argwhere(some.differing).tolist() == [[1, 2]]
     exact = -stats.norm.ppf(0.05)  # half of the draws on either side: 2.5 % of all are 5 % of one
     assert some.high[1, 2] == pytest.approx(2e-3 + 1e-3 * exact, rel=0.01)
-    assert some.farthest == pytest.approx(2e-3 + 1e-3 * (exact - COVERAGE), rel=0.03)
+    assert some.apart[1, 2] == pytest.approx(2e-3 + 1e-3 * (exact - COVERAGE), rel=0.03)
 
 
 def test_what_nothing_determines_has_no_draws() -> None:
     u = np.full((3, 4), 1e-3)
     u[0, 1] = np.nan
     found = drawn_of(tally_of(1e-3 * np.random.default_rng(4).standard_normal((2000, 3, 4))), np.zeros((3, 4)), u)
-    for values in (found.mean, found.sd, found.low, found.high):
+    for values in (found.mean, found.sd, found.low, found.high, found.apart):
         assert np.isnan(values[:, 1]).all()
         assert np.isfinite(values[:, [0, 2, 3]]).all()

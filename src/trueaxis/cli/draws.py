@@ -1,14 +1,15 @@
 """The options of draws: how many, of what, by whom."""
 
 import argparse
+from pathlib import Path
 
 from trueaxis.cli.arguments import file_to_write, noise_or_none, option, size, whole
 from trueaxis.cluster.workers import MOST_WORKERS
 from trueaxis.io.faults import Fault
-from trueaxis.jobs.draws import faults_of_workers
+from trueaxis.jobs.draws import faults_of_keep, faults_of_workers
 from trueaxis.monte_carlo.settings import MOST_DRAWS, Draws
 
-_OF_DRAWS = ("seed", "noise_um", "u_temperature", "either_direction", "workers", "scheduler")
+_OF_DRAWS = ("seed", "noise_um", "u_temperature", "either_direction", "workers", "scheduler", "keep")
 
 
 def add_draws(parser: argparse.ArgumentParser, *, of_program: bool = False) -> None:
@@ -44,6 +45,11 @@ def add_draws(parser: argparse.ArgumentParser, *, of_program: bool = False) -> N
         help="processes on this computer; more than 1 needs the extra trueaxis[cluster]; the result is the same (1)",
     )  # fmt: skip
     group.add_argument("--scheduler", metavar="ADDRESS", help="a running Dask scheduler, whose workers draw")
+    group.add_argument(
+        "--keep", type=Path, metavar="DIR",
+        help="folder for the results of each block of 2000 points: the same command, run again after it was stopped, "
+        "draws only the others",
+    )  # fmt: skip
 
 
 def draws_of(args: argparse.Namespace, found: list[Fault]) -> Draws | None:
@@ -56,4 +62,5 @@ def draws_of(args: argparse.Namespace, found: list[Fault]) -> Draws | None:
         found += [Fault(option(name), "", "goes with --draws", "add --draws N, or leave it out") for name in given]
         return None
     found += faults_of_workers(args.scheduler, option, workers=args.workers)
+    found += faults_of_keep(args.keep)
     return Draws(count=args.draws, **given)

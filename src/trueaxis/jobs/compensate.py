@@ -210,7 +210,7 @@ def notes_of(report: CompensationReport, model: MachineModel) -> tuple[str, ...]
 
 def notes_of_draws(left: DrawnProgram | None) -> tuple[str, ...]:
     """What draws say, in sentences."""
-    return () if left is None else tuple(draw_sentences(left.drawn, left.positions.shape[1], with_noise=False))
+    return () if left is None else tuple(draw_sentences(left.drawn, left.axes, left.positions, with_noise=False))
 
 
 @contextmanager

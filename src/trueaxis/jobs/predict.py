@@ -40,6 +40,7 @@ from trueaxis.model.extent import MOST_NAMED, open_names
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import ToolUncertainty, home_of, prior_size, tool_uncertainty
+from trueaxis.model.volume import Grid
 from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws
@@ -63,7 +64,8 @@ class Prediction(Printed, Tabular):
     axes: letters, the rows of positions; positions: (n_axes, n), mm or deg; tool: (3, n), mm; deviation: (3, n), actual
     minus ideal, mm; u: (3, n), its standard uncertainty, u_prior the part of that which rests on [prior], mm, NaN where
     unknown; open: (3, n), by how much what no reading determines could move the point, mm; notes: how far they may be
-    relied on; placement: with datum "best-fit"; drawn: with draws. Printed, it is the report of `trueaxis predict`.
+    relied on; placement: with datum "best-fit"; drawn: with draws; grid: of the positions, if they
+    are of one. Printed, it is the report of `trueaxis predict`.
     """
 
     axes: tuple[str, ...]
@@ -76,6 +78,35 @@ class Prediction(Printed, Tabular):
     notes: tuple[str, ...] = ()
     placement: Placement | None = None
     drawn: Drawn | None = None
+    grid: Grid | None = None
+
+    @property
+    def has_picture(self) -> bool:
+        """Whether the positions are a grid of two axes or more."""
+        return self.grid is not None and self.grid.has_slices
+
+    def picture(self) -> bytes:
+        """Slices through the middle of the grid, as PNG: error, uncertainty, where draws and u differ.
+
+        Raises ValueError without `has_picture`.
+        """
+        if self.grid is None or not self.has_picture:
+            raise ValueError("picture: positions are no grid of two axes or more")
+        from trueaxis.reporting.pictures.tool_point import maps_picture  # noqa: PLC0415  matplotlib takes long to import
+
+        u = self.u if self.drawn is None else self.drawn.sd[:3]
+        maps = {
+            "error of the tool point": np.linalg.norm(self.deviation, axis=0),
+            "its standard uncertainty: root sum of squares of x, y, z": np.linalg.norm(u, axis=0),
+        }
+        if self.drawn is not None and self.drawn.differing.any():
+            title = "where draws and u differ: distance between the ends of their 95 % intervals"
+            maps[title] = self.drawn.apart.max(axis=0)
+        sliced = {title: self.grid.slices(self.axes, self.positions, values) for title, values in maps.items()}
+        known = {
+            title: slices for title, slices in sliced.items() if not all(np.isnan(one.values).all() for one in slices)
+        }
+        return maps_picture(known)
 
     def __str__(self) -> str:
         return "".join(f"note: {one}\n" for one in self.notes) + f"{self.positions.shape[1]} points\n"
@@ -126,9 +157,13 @@ def predict(
     whole = Context.at_rest(len(model.axes), at.shape[1]) if context is None else context
     at_least_zero(max_u=max_u)
     model = with_errors(model, errors)
-    if asked is not None and (wrong := faults_of_draws(errors.covariance, at.shape[1], name_of(errors))):
+    at_once = datum == "best-fit"
+    if asked is not None and (
+        wrong := faults_of_draws(errors.covariance, at.shape[1], name_of(errors), at_once=at_once)
+    ):
         raise InputError(wrong)
     done = predicted(model, errors.covariance, at, there, whole, datum=datum)
+    done = replace(done, grid=positions if isinstance(positions, Grid) else None)
     if refused := refusal(done, max_u):
         raise RefusedError((refused,), done)
     return done if asked is None else with_draws(done, model, errors.covariance, whole, datum, asked)
@@ -196,7 +231,7 @@ def with_draws(
         offset=np.zeros((3, count)), steps=np.zeros((3, 0, count)), draws=draws,
     )  # fmt: skip
     found = drawn(model, points, done.deviation, np.hypot(done.u, 1e-3 * draws.noise_um), show)
-    sentences = draw_sentences(found, count, with_noise=draws.noise_um > 0.0)
+    sentences = draw_sentences(found, done.axes, done.positions, with_noise=draws.noise_um > 0.0)
     return replace(done, drawn=found, notes=(*done.notes, *sentences))
 
 

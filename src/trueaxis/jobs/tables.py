@@ -13,22 +13,31 @@ import numpy as np
 import numpy.typing as npt
 import polars as pl
 
+from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.typed import shown_value
+from trueaxis.machine.machine import Machine
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
+from trueaxis.model.volume import Grid
 
 ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame, mm
-Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike | pl.DataFrame
+Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike | pl.DataFrame | Grid
+MOST_NODES = 1_000_000  # points of a grid: a kilobyte each while they are computed
+LEAST_NODES = 2  # of an axis: the ends of its travel
 
 
 def positions_of(model: MachineModel, positions: Positions) -> FloatArray:
     """(n_axes, n) axis positions, mm or deg.
 
     positions: by axis letter, numbers or (n,) each, axes that are left out stand at 0; a table (of Polars or pandas)
-    with such columns; or an array (n_axes, n) in the order of `model.axes`. Raises ValueError with the argument, what
-    was expected and what was given.
+    with such columns; an array (n_axes, n) in the order of `model.axes`; or a grid. Raises ValueError with the
+    argument, what was expected and what was given.
     """
     axes = model.axes
+    if isinstance(positions, Grid):
+        if faults := faults_of_grid(positions, model.machine):
+            raise InputError(faults)
+        return positions.positions(model.machine)
     if not isinstance(positions, Mapping) and (columns := getattr(positions, "columns", None)) is not None:
         positions = {str(name): np.asarray(positions[name]) for name in columns}  # type: ignore[index]
     if isinstance(positions, Mapping):
@@ -50,6 +59,22 @@ def positions_of(model: MachineModel, positions: Positions) -> FloatArray:
         order = ", ".join(axes)
         raise ValueError(f"positions: expected shape ({len(axes)}, n), rows {order}; given {array.shape}")
     return np.ascontiguousarray(array)
+
+
+def faults_of_grid(grid: Grid, machine: Machine, name: str = "positions") -> list[Fault]:
+    """What is wrong with a grid of a machine. name: of the argument or the option."""
+    found = []
+    if unknown := [axis for axis in grid.counts if axis not in machine.axes]:
+        found.append(Fault(name, "", f"{machine.name} has no axis {', '.join(unknown)}", f"{', '.join(machine.axes)}"))
+    for axis, count in grid.counts.items():
+        if not (isinstance(count, int) and count >= LEAST_NODES):
+            found.append(Fault(name, axis, f"has {count} positions", f"a whole number, at least {LEAST_NODES}"))
+    points = math.prod(grid.counts.values())
+    if not found and not grid.counts:
+        found.append(Fault(name, "", "has no axis", f"some of {', '.join(machine.axes)}"))
+    if not found and points > MOST_NODES:
+        found.append(Fault(name, "", f"has {points} points", f"{MOST_NODES} at most"))
+    return found
 
 
 def check_travel(model: MachineModel, positions: FloatArray) -> None:

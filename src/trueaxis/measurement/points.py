@@ -62,6 +62,16 @@ def read_points(path: Path, machine: MachineAxes) -> Points:
     return Points(frame, commanded, tool, _context(names, given, context, table.frame.height))
 
 
+def points_at(positions: FloatArray, tool: FloatArray, machine: MachineAxes) -> Points:
+    """Points of no file: axes that have not moved yet, time and temperature not known.
+
+    positions: (n_axes, n), mm or deg; tool: (3, n), mm.
+    """
+    rows = {**dict(zip(machine.axes, positions, strict=True)), **dict(zip(TOOL_COLUMNS, tool, strict=True))}
+    names = tuple(f"dir_{axis}" for axis in machine.axes)
+    return Points(pl.DataFrame(rows), positions, tool, _context(names, {}, {}, positions.shape[1]))
+
+
 def _context(
     names: tuple[str, ...], given: dict[str, FloatArray], columns: dict[str, FloatArray], count: int
 ) -> Context:

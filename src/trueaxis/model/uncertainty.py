@@ -183,7 +183,7 @@ def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> 
     return found
 
 
-def home_of(model: MachineModel) -> FloatArray:
+def home_of(model: MachineModel | Machine) -> FloatArray:
     """(n_axes, 1): every axis at 0, or at the end of its travel next to it, mm or deg."""
     return np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])
 

@@ -8,6 +8,7 @@ inequality), so that bins over `REACH` of a first sample's standard deviations h
 standard deviation a density is as good as even.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +20,7 @@ from trueaxis.model.curves import FloatArray
 COVERAGE = 1.959963984540054  # of a normal distribution: 95 % lie within so many standard deviations
 SAMPLING = 3.0  # standard errors of a quantile, by which draws alone may miss it
 QUANTITIES = ("dx", "dy", "dz", "length")
-STATISTICS = ("mean", "sd", "low", "high")
+STATISTICS = ("mean", "sd", "low", "high", "apart")
 LOW, HIGH = 0.025, 0.975
 REACH = 10.0
 BINS = 640
@@ -30,9 +31,9 @@ Counts = npt.NDArray[np.uint16] | npt.NDArray[np.uint32]
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Drawn:
     """The distribution of error vectors at n points, mm. count: of draws; mean, sd, low, high: (4, n), of x, y, z and
-    the length: mean, standard deviation, 2.5 % and 97.5 %; NaN where a value rests on what no reading determines.
-    differing: (3, n), whether the linear 95 % interval of a coordinate is another to the accuracy that its u has;
-    farthest: the largest distance between their ends, mm, 0 where none differs.
+    the length: mean, standard deviation, 2.5 % and 97.5 %. apart: (3, n), largest distance between the ends of this
+    95 % interval of a coordinate and of the linear one, 0 where they agree to the accuracy that u has. NaN where a
+    value rests on what no reading determines.
     """
 
     count: int
@@ -40,8 +41,18 @@ class Drawn:
     sd: FloatArray
     low: FloatArray
     high: FloatArray
-    differing: npt.NDArray[np.bool_]
-    farthest: float
+    apart: FloatArray
+
+    @property
+    def differing(self) -> npt.NDArray[np.bool_]:
+        """(3, n): whether the linear 95 % interval of a coordinate is another."""
+        return self.apart > 0.0
+
+    @classmethod
+    def joined(cls, parts: "Sequence[Drawn]") -> "Drawn":
+        """Points of several, one behind the other, of as many draws each."""
+        arrays = {name: np.hstack([getattr(part, name) for part in parts]) for name in STATISTICS}
+        return cls(count=parts[0].count, **arrays)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -117,13 +128,12 @@ def drawn_of(tally: Tally, value: FloatArray, u: FloatArray) -> Drawn:
     low, high = (np.where(still, tally.mean, tally.quantile(share)) for share in (LOW, HIGH))
     ends = np.abs([value - COVERAGE * u - low[:3], value + COVERAGE * u - high[:3]]).max(axis=0)
     standard_error = np.sqrt(LOW * HIGH / tally.count) / _density(COVERAGE) * tally.deviation[:3]
-    differing = ends > tolerance(u) + SAMPLING * standard_error
+    apart = np.where(ends > tolerance(u) + SAMPLING * standard_error, ends, 0.0)
     unknown = np.isnan(u).any(axis=0)
-    mean, sd, low, high = (np.where(unknown, np.nan, one) for one in (tally.mean, tally.deviation, low, high))
-    farthest = float(ends[differing].max(initial=0.0))
-    return Drawn(
-        count=tally.count, mean=mean, sd=sd, low=low, high=high, differing=differing & ~unknown, farthest=farthest
+    mean, sd, low, high, apart = (
+        np.where(unknown, np.nan, one) for one in (tally.mean, tally.deviation, low, high, apart)
     )
+    return Drawn(count=tally.count, mean=mean, sd=sd, low=low, high=high, apart=apart)
 
 
 def tolerance(u: FloatArray) -> FloatArray:
@@ -137,9 +147,11 @@ def _density(x: float) -> float:
 
 
 def drawn_columns(drawn: Drawn) -> list[tuple[tuple[str, ...], FloatArray]]:
-    """Names and values (4, n), mm, of means, standard deviations, 2.5 % and 97.5 %: of dx, dy, dz and the length."""
-    values = (drawn.mean, drawn.sd, drawn.low, drawn.high)
+    """Names and values (4, n), mm, of means, standard deviations, 2.5 % and 97.5 %: of dx, dy, dz and the length; and
+    (3, n), how far apart the linear intervals are.
+    """
+    values = [getattr(drawn, statistic) for statistic in STATISTICS]
     return [
-        (tuple(f"{statistic}_{quantity}" for quantity in QUANTITIES), rows)
+        (tuple(f"{statistic}_{quantity}" for quantity in QUANTITIES[: len(rows)]), rows)
         for statistic, rows in zip(STATISTICS, values, strict=True)
     ]

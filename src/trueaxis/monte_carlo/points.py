@@ -38,6 +38,18 @@ class DrawnPoints:
     steps: FloatArray
     draws: Draws
 
+    def of(self, rows: slice) -> "DrawnPoints":
+        """Some of the points; not where a best fit of all is taken off."""
+        assert self.placements is None
+        return replace(
+            self,
+            positions=self.positions[:, rows],
+            tool=self.tool[:, rows],
+            context=self.context.of(rows),
+            offset=self.offset[:, rows],
+            steps=self.steps[:, :, rows],
+        )
+
 
 class Drawing:
     """Makes draws of the error vectors of points, on the exact model."""

@@ -1,6 +1,7 @@
 """How many draws, of what, in which parts: the same for any number of workers."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -15,7 +16,7 @@ class Draws:
     point, in each coordinate, um; u_temperature: standard uncertainty of the temperature, K; either_direction: whether
     axes whose direction of approach is not given came from either side alike: of machines with effects that depend on
     them. workers: processes, 1: this one; scheduler: address of a running Dask scheduler, None: processes of this
-    computer.
+    computer. keep: folder for the results of each block of points, which are read instead of drawn again; None: none.
     """
 
     count: int
@@ -25,6 +26,7 @@ class Draws:
     either_direction: bool = False
     workers: int = 1
     scheduler: str | None = None
+    keep: Path | None = None
 
 
 def parts(count: int) -> list[int]:

@@ -4,7 +4,7 @@ The noise that it is judged for is as given, as the device's table states it, el
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,12 +21,11 @@ from trueaxis.identification.estimated_effects import covariance_with_effects, w
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS, small_unit
-from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Device, Vector
 from trueaxis.model.effect_values import EffectValues, identity
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.model.volume import middle_planes
+from trueaxis.model.volume import Slice, middle_planes
 from trueaxis.planning.report import ErrorReport, Expectations, ExpectedEffect, ExpectedParameter, NoiseReport
 from trueaxis.planning.runs import PlannedRuns, minutes
 
@@ -173,28 +172,10 @@ def _among_errors(found: Estimate, effect: Effect) -> bool:
     return bool(np.linalg.norm(beside) < TENTH * np.linalg.norm(spread))
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Slice:
-    """Two axes that move to (n,) and (m,), mm; u: (m, n), mm, of the tool point; at: where the other axes stand."""
-
-    axes: tuple[str, str]
-    first: FloatArray
-    second: FloatArray
-    u: FloatArray
-    at: dict[str, float]
-
-
 def slices(found: Estimate, tools: Sequence[Vector]) -> tuple[Slice, ...]:
-    """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
+    """One of u for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
     return tuple(
-        Slice(
-            axes=one.axes,
-            first=one.first,
-            second=one.second,
-            u=tool_point(found, one.positions, tools).u.reshape(STEPS, STEPS),
-            at=one.at,
-        )
-        for one in middle_planes(found.layout.model, STEPS)
+        one.slice(tool_point(found, one.positions, tools).u) for one in middle_planes(found.layout.model, STEPS)
     )
 
 

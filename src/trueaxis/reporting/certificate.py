@@ -14,7 +14,8 @@ from trueaxis.identification.words import enumerated, small
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Fit
 from trueaxis.model.origin import Origin
-from trueaxis.reporting.certificate_content import Content, ErrorLine, OverVolume, Slice
+from trueaxis.model.volume import Slice
+from trueaxis.reporting.certificate_content import Content, ErrorLine, OverVolume
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.picture import Picture
 from trueaxis.reporting.diagnosis.quantity import NBSP, UM, quantity, with_own_sign
@@ -174,8 +175,8 @@ def _notes(content: Content) -> list[str]:
 
 
 def _map(slices: Sequence[Slice]) -> Picture:
-    largest = max(float(one.length.max()) for one in slices)
-    alt = "; ".join(f"{one.axes[0]}{one.axes[1]}: largest {1e3 * float(one.length.max()):.3g} {UM}" for one in slices)
+    largest = max(float(one.values.max()) for one in slices)
+    alt = "; ".join(f"{one.axes[0]}{one.axes[1]}: largest {1e3 * float(one.values.max()):.3g} {UM}" for one in slices)
     caption = (
         f"Length of the deviation from home, {UM}; the other axes in the middle of their travel, rotary axes at home."
     )
@@ -194,7 +195,7 @@ def _figure(slices: Sequence[Slice], largest: float) -> Figure:
 
 
 def _panel(panel: Axes, one: Slice, top: float) -> QuadMesh:
-    um = 1e3 * one.length
+    um = 1e3 * one.values
     drawn = panel.pcolormesh(
         one.first, one.second, um, cmap="viridis", vmin=0.0, vmax=top, shading="nearest", rasterized=True
     )

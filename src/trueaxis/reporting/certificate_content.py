@@ -13,7 +13,7 @@ from trueaxis.model.errors import Determined, Fit
 from trueaxis.model.model import MachineModel
 from trueaxis.model.origin import Origin
 from trueaxis.model.uncertainty import ToolUncertainty, curve_u, home_of, tool_uncertainty
-from trueaxis.model.volume import corners, middle_planes, volume_points
+from trueaxis.model.volume import Slice, corners, middle_planes, volume_points
 
 FloatArray = NDArray[np.float64]
 
@@ -67,19 +67,6 @@ class OverVolume:
     u_prior_rms: float
     u_usual_rms: float
     u_largest: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Slice:
-    """Two axes over their travels, (n,) and (m,), mm; length: (m, n), mm, of the deviation from home; at: where the
-    other axes stand.
-    """
-
-    axes: tuple[str, str]
-    first: FloatArray
-    second: FloatArray
-    length: FloatArray
-    at: dict[str, float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -239,12 +226,13 @@ def _uncertainty(of: Known, positions: FloatArray, tool: tuple[float, float, flo
 
 
 def _slices(now: Known, tool: tuple[float, float, float]) -> tuple[Slice, ...]:
-    """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
-    made = []
-    for one in middle_planes(now.model, STEPS):
-        length = np.linalg.norm(deviations(now.model, one.positions, tool), axis=0).reshape(STEPS, STEPS)
-        made.append(Slice(axes=one.axes, first=one.first, second=one.second, length=length, at=one.at))
-    return tuple(made)
+    """Length of the deviation from home, mm: one for each pair of linear axes, other linear axes in the middle, rotary
+    axes at home.
+    """
+    return tuple(
+        one.slice(np.linalg.norm(deviations(now.model, one.positions, tool), axis=0))
+        for one in middle_planes(now.model, STEPS)
+    )
 
 
 def _rms(values: FloatArray) -> float:

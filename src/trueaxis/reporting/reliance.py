@@ -3,14 +3,17 @@
 from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
+import numpy as np
+
 from trueaxis.compensation.reliance import Reliance
 from trueaxis.io.safe_text import plain_zero
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.best_fit import Placement
+from trueaxis.model.curves import FloatArray
 from trueaxis.model.errors import ErrorValues, Fit
 from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured
-from trueaxis.monte_carlo.drawn import Drawn
+from trueaxis.monte_carlo.drawn import QUANTITIES, Drawn
 
 _CONTINUED = "no reading supports the curve there"
 NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
@@ -88,15 +91,19 @@ def placement_sentence(placement: Placement) -> str:
     )
 
 
-def draw_sentences(drawn: Drawn, count: int, with_noise: bool) -> list[str]:
-    """What draws say beside linear propagation, at so many points; with_noise: whether they have noise, u has none."""
+def draw_sentences(drawn: Drawn, axes: Sequence[str], positions: FloatArray, with_noise: bool) -> list[str]:
+    """What draws say beside linear propagation. positions: (n_axes, n), mm or deg; with_noise: whether they have noise,
+    u has none.
+    """
     points, whose = int(drawn.differing.any(axis=0).sum()), "u and the noise together" if with_noise else "u"
     if not points:
         told = f"its 95 % intervals agree with those of {whose} to the digits that u has"
     else:
+        row, most = np.unravel_index(np.nanargmax(drawn.apart), drawn.apart.shape)
+        at = ", ".join(f"{axis} {value:.6g}" for axis, value in zip(axes, positions[:, most], strict=True))
         told = (
-            f"at {points} of {count} points its 95 % interval is another than that of {whose}, by up to "
-            f"{_um(drawn.farthest)}: take low and high there"
+            f"at {points} of {positions.shape[1]} points its 95 % interval is another than that of {whose}, by up to "
+            f"{_um(drawn.apart[row, most])} ({QUANTITIES[row]} at {at}): take low and high there"
         )
     return [f"{drawn.count} draws (GUM Supplement 1): {told}"]
 

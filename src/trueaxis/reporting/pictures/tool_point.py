@@ -1,4 +1,4 @@
-"""Errors of the tool point: along a path (Figs. 19 and 20 of the paper), against noise; their uncertainty on slices."""
+"""Errors of the tool point: along a path (Figs. 19 and 20 of the paper), against noise; slices of the volume."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,7 +10,8 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from trueaxis.planning.judge import Slice
+from trueaxis.machine.machine import LINEAR
+from trueaxis.model.volume import Slice
 from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
@@ -104,35 +105,48 @@ def _noise_figure(noise_um: Sequence[float], left: Mapping[str, FloatArray], not
 
 
 def uncertainty_picture(slices: Sequence[Slice]) -> bytes:
-    """PNG: a panel per slice, all with one scale in micrometres. Raises ValueError where there is none."""
-    if not slices:
-        raise ValueError("there is no slice to draw")
-    return png(lambda: _slices_figure(slices))
-
-
-def _slices_figure(slices: Sequence[Slice]) -> Figure:
-    figure = Figure(figsize=(4.0 * len(slices) + 1.0, 4.2), dpi=110, layout="constrained")
+    """PNG of slices of u, mm. Raises ValueError where there is none."""
     title = "expected standard uncertainty of the tool point, seen from home: root sum of squares of x, y, z"
-    figure.suptitle(title, fontsize=11)
-    panels = figure.subplots(1, len(slices), squeeze=False)[0]
-    top = 1e3 * max(float(one.u.max()) for one in slices)
-    for panel, one in zip(panels, slices, strict=True):
-        drawn = _panel(panel, one, top)
-    bar = figure.colorbar(drawn, ax=list(panels), shrink=0.85)
-    bar.set_label("u (\N{MICRO SIGN}m)", fontsize=8)
-    bar.ax.tick_params(labelsize=8)
+    return maps_picture({title: slices})
+
+
+def maps_picture(maps: Mapping[str, Sequence[Slice]]) -> bytes:
+    """PNG: a row for each title, a panel per slice, all of a row with one scale in micrometres. Raises ValueError where
+    there is no slice.
+    """
+    if not all(maps.values()):
+        raise ValueError("there is no slice to draw")
+    return png(lambda: _maps_figure(maps))
+
+
+def _maps_figure(maps: Mapping[str, Sequence[Slice]]) -> Figure:
+    widest = max(map(len, maps.values()))
+    figure = Figure(figsize=(4.0 * widest + 1.0, 4.2 * len(maps)), dpi=110, layout="constrained")
+    rows = figure.subfigures(len(maps), 1, squeeze=False)[:, 0]
+    for row, (title, slices) in zip(rows, maps.items(), strict=True):
+        row.suptitle(title, fontsize=11)
+        panels = row.subplots(1, len(slices), squeeze=False)[0]
+        top = 1e3 * float(np.fmax.reduce([np.fmax.reduce(one.values, axis=None) for one in slices]))
+        for panel, one in zip(panels, slices, strict=True):
+            drawn = _panel(panel, one, top)
+        bar = row.colorbar(drawn, ax=list(panels), shrink=0.85)
+        bar.set_label("\N{MICRO SIGN}m", fontsize=8)
+        bar.ax.tick_params(labelsize=8)
     return figure
 
 
 def _panel(panel: Axes, one: Slice, top: float) -> QuadMesh:
-    um = 1e3 * one.u
+    um = 1e3 * one.values
     drawn = panel.pcolormesh(one.first, one.second, um, cmap="viridis", vmin=0.0, vmax=top, shading="nearest")
-    if float(um.max()) > float(um.min()):
+    largest, least = (float(one.reduce(um, axis=None)) for one in (np.fmax, np.fmin))  # NaN: not known
+    if largest > least:
         lines = panel.contour(one.first, one.second, um, levels=LEVELS, colors="white", linewidths=0.7)
         panel.clabel(lines, fontsize=7, fmt="%.3g")
     at = ", ".join(f"{axis} at {value:g}" for axis, value in one.at.items())
-    panel.set_title(f"{at}\nlargest {um.max():.3g} \N{MICRO SIGN}m", fontsize=9, loc="left")
-    panel.set_xlabel(f"{one.axes[0]} (mm)", fontsize=8)
-    panel.set_ylabel(f"{one.axes[1]} (mm)", fontsize=8)
+    told = "not known" if np.isnan(largest) else f"largest {largest:.3g} \N{MICRO SIGN}m"
+    panel.set_title(f"{at}\n{told}", fontsize=9, loc="left")
+    first, second = (f"{axis} ({'mm' if axis in LINEAR else 'deg'})" for axis in one.axes)
+    panel.set_xlabel(first, fontsize=8)
+    panel.set_ylabel(second, fontsize=8)
     panel.tick_params(labelsize=8)
     return drawn
