@@ -26,12 +26,12 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Predict where the tool point really is, for each row of --at or each node of --grid. The columns of --at are axis
-positions (mm, rotary axes deg); optionally tool_x, tool_y, tool_z, the point in the tool frame, mm; and, for machines with effects, dir_X ...
-(direction of approach), time_s and temperature_c. The deviation, actual minus ideal on the exact model, is written
-after these columns as dx, dy, dz (mm, workpiece frame), and its standard uncertainty as u_dx, u_dy, u_dz. u is empty
-where it is unknown, or where the deviation rests on values that no reading determined. u_prior_dx, u_prior_dy,
-u_prior_dz are the part of u that rests on [prior] of the spec, the rest comes from the readings; the squares of both
-parts add up."""
+positions (mm, rotary axes deg); optionally tool_x, tool_y, tool_z, the point in the tool frame, mm; and, for machines
+with effects, dir_X ... (direction of approach), time_s and temperature_c. The deviation, actual minus ideal on the
+exact model, is written after these columns as dx, dy, dz (mm, workpiece frame), and its standard uncertainty as u_dx,
+u_dy, u_dz. u is empty where it is unknown, or where the deviation rests on values that no reading determined.
+u_prior_dx, u_prior_dy, u_prior_dz are the part of u that rests on [prior] of the spec, the rest comes from the
+readings; the squares of both parts add up."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
