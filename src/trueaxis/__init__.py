@@ -52,8 +52,8 @@ if TYPE_CHECKING:
     from trueaxis.model.best_fit import Placement
     from trueaxis.model.context import Context
     from trueaxis.model.errors import ErrorValues
+    from trueaxis.model.grid import Grid
     from trueaxis.model.model import MachineModel
-    from trueaxis.model.volume import Grid
     from trueaxis.monte_carlo.settings import Draws
 
 __version__ = "0.2.0"
@@ -145,7 +145,7 @@ _MODULES = {
     "model.context": ("Context",),
     "model.errors": ("ErrorValues",),
     "model.model": ("MachineModel",),
-    "model.volume": ("Grid",),
+    "model.grid": ("Grid",),
     "monte_carlo.settings": ("Draws",),
 }  # fmt: skip
 _HOME = {name: module for module, names in _MODULES.items() for name in names}

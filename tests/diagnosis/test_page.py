@@ -25,8 +25,7 @@ from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.amplitudes import UNOBSERVABLE
 from trueaxis.estimation.instruments import CLASSES
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.model.model import load_model
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import home_of, load_model
 from trueaxis.reporting.diagnosis.structures import check_name
 
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()

@@ -10,8 +10,8 @@ from trueaxis.estimation.gauge import covariance_of, exactly_level, levelling
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import load_model
-from trueaxis.model.uncertainty import derivative, home_of
+from trueaxis.model.model import home_of, load_model
+from trueaxis.model.uncertainty import derivative
 
 ROOT = Path(__file__).parents[2]
 MACHINES = sorted(path.stem for path in (ROOT / "machines").glob("*.toml"))

@@ -16,7 +16,8 @@ from trueaxis.estimation.reduce import Reduced
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.model import home_of
+from trueaxis.model.uncertainty import tool_uncertainty
 
 READINGS, DRAWS = 150, 6000
 

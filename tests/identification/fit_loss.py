@@ -20,7 +20,8 @@ from trueaxis.identification.report import Identification
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import LegendreCurve
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.model import home_of
+from trueaxis.model.uncertainty import tool_uncertainty
 
 POINTS = 200
 

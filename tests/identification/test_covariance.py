@@ -34,8 +34,8 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.covariance_file import dump_covariance, read_covariance
 from trueaxis.model.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel, load_model
-from trueaxis.model.uncertainty import derivative, home_of, tool_uncertainty
+from trueaxis.model.model import MachineModel, home_of, load_model
+from trueaxis.model.uncertainty import derivative, tool_uncertainty
 
 
 def predicted_u(model: MachineModel, found: Covariance, positions: FloatArray, tool: FloatArray) -> FloatArray:

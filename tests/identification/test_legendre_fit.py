@@ -18,8 +18,7 @@ from trueaxis.model.bases import travel_basis
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray, LegendreCurve, PolynomialCurve
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import load_model
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import home_of, load_model
 
 DEGREE = 8
 TRAVEL = (100.0, 540.0)  # without 0: home is its lower end

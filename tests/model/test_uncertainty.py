@@ -21,12 +21,11 @@ from trueaxis.model.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Fit, Undetermined, dump_errors
 from trueaxis.model.extent import travel_positions, uncertainty_extent
 from trueaxis.model.measured_range import beyond_measured
-from trueaxis.model.model import MachineModel, load_errors, load_model
+from trueaxis.model.model import MachineModel, home_of, load_errors, load_model
 from trueaxis.model.own_uncertainty import own_uncertainty
 from trueaxis.model.uncertainty import (
     curve_u,
     derivative,
-    home_of,
     load_uncertainty,
     prior_size,
     tool_uncertainty,

@@ -10,8 +10,8 @@ from trueaxis.estimation.expected import expected
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import travel_positions, uncertainty_extent
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import tool_uncertainty
 from trueaxis.model.volume import quasi_random
 
 TOOL = np.zeros((3, 1))

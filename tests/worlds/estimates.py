@@ -24,8 +24,8 @@ from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel, load_model
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.model import MachineModel, home_of, load_model
+from trueaxis.model.uncertainty import tool_uncertainty
 
 POINTS = 200
 TOOL = np.zeros((3, 1))

@@ -9,7 +9,7 @@ from trueaxis.io.input_files import gathering
 from trueaxis.jobs.tables import ORIGIN, faults_of_grid, tool_points
 from trueaxis.machine.machine import Machine
 from trueaxis.measurement.points import Points, points_at, read_points
-from trueaxis.model.volume import Grid
+from trueaxis.model.grid import Grid
 
 OPTION = "--grid"
 

@@ -15,8 +15,8 @@ from trueaxis.compensation.solve import SINGULAR
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import UncertaintyExtent, table_positions, uncertainty_extent
 from trueaxis.model.measured_range import BeyondMeasured, beyond_measured
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, prior_size
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import prior_size
 
 MOST_CELLS = 8000  # of a program: u at so many positions takes about half a second
 # Errors do not differ within a cell of these, half a millimetre of a travel of 500 mm.

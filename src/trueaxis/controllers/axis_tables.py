@@ -17,8 +17,7 @@ from trueaxis.error_name import positioning_error
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.context import Context
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import MachineModel, home_of
 
 MOST_POINTS = 200  # of a table by default: what the smallest control takes (SINUMERIK 808D, 828D)
 OTHERS = 5  # positions of each other axis over which is averaged: exact for curves up to the third power

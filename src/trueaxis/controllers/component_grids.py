@@ -9,8 +9,7 @@ from trueaxis.controllers.axis_tables import approached, nodes
 from trueaxis.controllers.remaining import TakenOff, held_effects
 from trueaxis.error_name import DIRECTIONS, ErrorName
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import MachineModel, home_of
 
 # Positions of each axis beside the one that moves. Between 20 equal steps a parabola over the travel (cross_axis) is
 # off by 1/1600 of its height, a straight line; the grid has 20 times the records, not 200 times.

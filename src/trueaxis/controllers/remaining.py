@@ -13,8 +13,7 @@ from trueaxis.effects.placement import SINCE_REVERSAL, context_of
 from trueaxis.model.context import Context
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.effect_values import EffectValues
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import MachineModel, home_of
 
 # (n_axes, n) from positions (n_axes, n) and directions of approach (n_axes,): by how much the control takes each axis
 # to be off, mm or deg

@@ -24,8 +24,7 @@ from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.reading_model import ideal_bar
 from trueaxis.measurement.simulate import filled_in
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import MachineModel, home_of
 from trueaxis.reporting.pictures.tool_point import PathErrors
 from trueaxis.view import View
 

@@ -12,7 +12,8 @@ from trueaxis.estimation.layout import Layout
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.uncertainty import derivative, home_of
+from trueaxis.model.model import home_of
+from trueaxis.model.uncertainty import derivative
 
 POSITIONS, SEED = 40, 3
 # mm: what moves none of these points of the tool frame moves no other. Where a rotary axis turns the tool behind the

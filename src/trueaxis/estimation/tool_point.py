@@ -14,8 +14,8 @@ from trueaxis.measurement.setup import Vector
 from trueaxis.model.best_fit import placements
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import travel_positions, uncertainty_extent
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import derivative, home_of
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import derivative
 from trueaxis.model.volume import volume_points
 
 Datum = Literal["home", "best-fit"]

@@ -17,8 +17,8 @@ from trueaxis.measurement.points import TOOL_COLUMNS
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.extent import after_reversals
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import tool_uncertainty
 from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws

@@ -37,10 +37,10 @@ from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import MOST_NAMED, open_names
+from trueaxis.model.grid import Grid
 from trueaxis.model.measured_range import beyond_measured
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import ToolUncertainty, home_of, prior_size, tool_uncertainty
-from trueaxis.model.volume import Grid
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import ToolUncertainty, prior_size, tool_uncertainty
 from trueaxis.monte_carlo.drawn import Drawn, drawn_columns
 from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws

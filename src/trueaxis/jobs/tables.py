@@ -17,8 +17,8 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.typed import shown_value
 from trueaxis.machine.machine import Machine
 from trueaxis.model.curves import FloatArray
+from trueaxis.model.grid import Grid
 from trueaxis.model.model import MachineModel
-from trueaxis.model.volume import Grid
 
 ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame, mm
 Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike | pl.DataFrame | Grid

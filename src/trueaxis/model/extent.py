@@ -9,8 +9,8 @@ from trueaxis.model.bases import HatBasis
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import OPEN_MOVES, derivative, home_of, open_steps, tool_uncertainty
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import OPEN_MOVES, derivative, open_steps, tool_uncertainty
 from trueaxis.model.volume import corners, volume_points
 
 _POSITIONS = 2000  # over the travel

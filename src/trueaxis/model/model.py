@@ -252,3 +252,8 @@ def load_errors(path: Path, machine: Machine) -> ErrorValues:
     check_believable(machine, errors, faults)
     faults.raise_if_any()
     return errors
+
+
+def home_of(model: MachineModel | Machine) -> FloatArray:
+    """(n_axes, 1): every axis at 0, or at the end of its travel next to it, mm or deg."""
+    return np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])

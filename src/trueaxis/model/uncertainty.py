@@ -21,7 +21,7 @@ from trueaxis.model.curves import FloatArray
 from trueaxis.model.effect_terms import component_term
 from trueaxis.model.effect_values import EffectValues, identity
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel
+from trueaxis.model.model import MachineModel, home_of
 from trueaxis.model.own_uncertainty import own_uncertainty
 
 OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
@@ -181,11 +181,6 @@ def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> 
         by_error = _by_error(model, np.ascontiguousarray(positions[:, rows]), here)
         found[rows] = np.sqrt(((by_error * np.array(sizes)[:, np.newaxis]) ** 2).sum(axis=(0, 1)))
     return found
-
-
-def home_of(model: MachineModel | Machine) -> FloatArray:
-    """(n_axes, 1): every axis at 0, or at the end of its travel next to it, mm or deg."""
-    return np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])
 
 
 def derivative(

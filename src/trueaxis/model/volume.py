@@ -1,6 +1,6 @@
-"""Positions in the volume of a machine: spread over its travels, its corners, planes through the middle, grids.
+"""Positions in the volume of a machine: spread over its travels, its corners, planes through the middle.
 
-What is judged is spread on no grid, which could hit the targets of a measurement and miss what is between.
+Spread they are on no grid, which could hit the targets of a measurement and miss what is between.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -9,10 +9,10 @@ from itertools import combinations, product
 
 import numpy as np
 
-from trueaxis.machine.machine import LINEAR, Machine
+from trueaxis.machine.machine import LINEAR
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.grid import Slice
+from trueaxis.model.model import MachineModel, home_of
 
 
 def quasi_random(dimensions: int, count: int) -> FloatArray:
@@ -40,46 +40,6 @@ def corners(travel: Mapping[str, tuple[float, float]], axes: Sequence[str]) -> F
     return np.array(list(product(*(travel[axis] for axis in axes))), dtype=np.float64).T
 
 
-@dataclass(frozen=True, slots=True)
-class Grid:
-    """Positions at even distances over the travels, both ends included.
-
-    counts: how many, by the letter of an axis, 2 or more of each; axes that are left out stand at home.
-    """
-
-    counts: Mapping[str, int]
-
-    def positions(self, machine: Machine) -> FloatArray:
-        """(n_axes, n), mm or deg, the last axis of the machine fastest."""
-        nodes = [
-            np.linspace(*machine.travel[axis], self.counts[axis]) if axis in self.counts else home
-            for axis, home in zip(machine.axes, home_of(machine), strict=True)
-        ]
-        return np.array([one.ravel() for one in np.meshgrid(*nodes, indexing="ij")])
-
-    @property
-    def has_slices(self) -> bool:
-        """Whether it has two axes or more."""
-        return len(self.counts) > 1
-
-    def slices(self, axes: Sequence[str], positions: FloatArray, values: FloatArray) -> tuple["Slice", ...]:
-        """Through its middle, one for each pair of its axes, of linear ones where it has two. axes: of the machine;
-        positions: (n_axes, n), of the grid; values: (n,).
-        """
-        shape = tuple(self.counts.get(axis, 1) for axis in axes)
-        nodes = [np.unique(row) for row in positions]
-        own = [axis for axis in axes if axis in self.counts]
-        linear = [axis for axis in own if axis in LINEAR]
-        found = []
-        for pair in combinations(linear if len(linear) > 1 else own, 2):
-            rows = [axes.index(axis) for axis in pair]
-            index = tuple(slice(None) if row in rows else shape[row] // 2 for row in range(len(axes)))
-            at = {axis: float(nodes[row][shape[row] // 2]) for row, axis in enumerate(axes) if row not in rows}
-            first, second = (nodes[row] for row in rows)
-            found.append(Slice(axes=pair, first=first, second=second, values=values.reshape(shape)[index].T, at=at))
-        return tuple(found)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Plane:
     """Two axes over their travels, (steps,) each, mm; positions: (n_axes, steps * steps), the first axis fastest; at:
@@ -96,17 +56,6 @@ class Plane:
         """Of values (n,) at its positions."""
         shaped = values.reshape(self.second.size, self.first.size)
         return Slice(axes=self.axes, first=self.first, second=self.second, values=shaped, at=self.at)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Slice:
-    """Two axes that move to (n,) and (m,), mm or deg; values: (m, n), mm; at: where the other axes stand."""
-
-    axes: tuple[str, str]
-    first: FloatArray
-    second: FloatArray
-    values: FloatArray
-    at: dict[str, float]
 
 
 def middle_planes(model: MachineModel, steps: int) -> Iterator[Plane]:

@@ -24,8 +24,9 @@ from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS, small_unit
 from trueaxis.measurement.setup import Device, Vector
 from trueaxis.model.effect_values import EffectValues, identity
 from trueaxis.model.errors import ErrorValues
+from trueaxis.model.grid import Slice
 from trueaxis.model.model import MachineModel
-from trueaxis.model.volume import Slice, middle_planes
+from trueaxis.model.volume import middle_planes
 from trueaxis.planning.report import ErrorReport, Expectations, ExpectedEffect, ExpectedParameter, NoiseReport
 from trueaxis.planning.runs import PlannedRuns, minutes
 

@@ -13,8 +13,8 @@ from trueaxis.effects.kind import Kind, Parameter
 from trueaxis.identification.words import enumerated, small
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Fit
+from trueaxis.model.grid import Slice
 from trueaxis.model.origin import Origin
-from trueaxis.model.volume import Slice
 from trueaxis.reporting.certificate_content import Content, ErrorLine, OverVolume
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.picture import Picture

@@ -10,10 +10,11 @@ from trueaxis.machine.error_words import location_words
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import Determined, Fit
-from trueaxis.model.model import MachineModel
+from trueaxis.model.grid import Slice
+from trueaxis.model.model import MachineModel, home_of
 from trueaxis.model.origin import Origin
-from trueaxis.model.uncertainty import ToolUncertainty, curve_u, home_of, tool_uncertainty
-from trueaxis.model.volume import Slice, corners, middle_planes, volume_points
+from trueaxis.model.uncertainty import ToolUncertainty, curve_u, tool_uncertainty
+from trueaxis.model.volume import corners, middle_planes, volume_points
 
 FloatArray = NDArray[np.float64]
 

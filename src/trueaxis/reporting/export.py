@@ -12,8 +12,7 @@ from trueaxis.controllers.formats import ISG, KINS, TABLE_FORMATS, Export
 from trueaxis.controllers.remaining import Remaining, directed_effects, untabled_effects
 from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of
+from trueaxis.model.model import MachineModel, home_of
 
 _OWN = "errors of each axis along itself"
 _CROSS = "errors of each linear axis across the others (straightness, squareness)"

@@ -27,8 +27,8 @@ from trueaxis.measurement.instrument_kinds import ARM
 from trueaxis.model.bases import LegendreBasis
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
-from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import home_of, open_steps
+from trueaxis.model.model import MachineModel, home_of
+from trueaxis.model.uncertainty import open_steps
 
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are

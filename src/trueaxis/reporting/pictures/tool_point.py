@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from trueaxis.machine.machine import LINEAR
-from trueaxis.model.volume import Slice
+from trueaxis.model.grid import Slice
 from trueaxis.reporting.pictures.png import BLUE, GREEN, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
