@@ -5,6 +5,7 @@ Polynomials in Horner's form, as the derivation leaves them, are found again; va
 
 import math
 from collections.abc import Collection, Mapping
+from functools import cache, lru_cache
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
@@ -17,7 +18,35 @@ _FUNCTIONS = (sp.cos, sp.sin, sp.exp, sp.tanh, Absolute, Root, Sign, Step)
 Polynomial = tuple[sp.Symbol, tuple[sp.Expr, ...]]
 
 
-class PythonPrinter(PythonCodePrinter):  # type: ignore[misc]
+@lru_cache(maxsize=1 << 14)
+def _ordered_terms(expr: sp.Expr) -> tuple[sp.Expr, ...]:
+    """In the order of SymPy's printers, which takes as long as all else; NumPy and C print the same sums."""
+    return tuple(expr.as_ordered_terms())
+
+
+@cache
+def _method(printer: type, kind: type) -> str:
+    """The name of the method of a printer for a kind of expression, as SymPy finds it: by the type or what it is of."""
+    return next(name for base in kind.__mro__ if hasattr(printer, name := f"_print_{base.__name__}"))
+
+
+class _Plain:
+    """Before one of SymPy's printers of code: the expressions of routines have nothing that it looks for first."""
+
+    def doprint(self, expr: sp.Expr) -> str:
+        """The code of an expression. Raises ValueError for a function that no kernel needs."""
+        return self._print(expr)
+
+    def _as_ordered_terms(self, expr: sp.Expr, order: None = None) -> tuple[sp.Expr, ...]:  # noqa: ARG002  SymPy's
+        return _ordered_terms(expr)
+
+    def _print(self, expr: sp.Expr) -> str:
+        if isinstance(expr, sp.Function) and expr.func not in _FUNCTIONS:
+            raise ValueError(f"no kernel needs {expr}")
+        return str(getattr(self, _method(type(self), type(expr)))(expr))
+
+
+class PythonPrinter(_Plain, PythonCodePrinter):  # type: ignore[misc]
     """SymPy's own NumPy printer rounds constants to 15 digits and writes powers as calls."""
 
     def __init__(self, names: Mapping[str, str]) -> None:
@@ -82,19 +111,12 @@ class PythonPrinter(PythonCodePrinter):  # type: ignore[misc]
         return str(self.doprint(value))
 
 
-class CPrinter(C99CodePrinter):  # type: ignore[misc]
+class CPrinter(_Plain, C99CodePrinter):  # type: ignore[misc]
     """SymPy's own C printer writes x**2 as pow(x, 2), 1/2 as 1.0/2.0 and pi as a macro that ISO C does not have."""
 
     def __init__(self, names: Mapping[str, str]) -> None:
         super().__init__()
         self._names = names
-
-    def doprint(self, expr: sp.Expr) -> str:
-        """The C expression. Raises ValueError for a function that no kernel needs."""
-        for function in expr.atoms(sp.Function):
-            if function.func not in _FUNCTIONS:
-                raise ValueError(f"no kernel needs {function}")
-        return str(super().doprint(expr))
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         return self._names.get(expr.name, expr.name)
