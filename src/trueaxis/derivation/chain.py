@@ -129,13 +129,13 @@ def cross(left: Vector, right: Vector) -> Vector:
 
 def added(left: Vector, right: Vector, sign: int = 1) -> Vector:
     """The left vector plus sign times the right one."""
-    x, y, z = (a + sign * b for a, b in zip(left, right, strict=True))
+    x, y, z = (a if b is sp.S.Zero else a + (b if sign == 1 else sign * b) for a, b in zip(left, right, strict=True))
     return x, y, z
 
 
 def expanded(vector: Vector) -> Vector:
     """The same as sums of products."""
-    x, y, z = map(sp.expand, vector)
+    x, y, z = (value if value.is_Atom else sp.expand(value) for value in vector)
     return x, y, z
 
 

@@ -82,9 +82,9 @@ def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
 
 def _generators(at: Vector) -> tuple[Vector, ...]:
     """What a unit of each of the six errors does to a point: displacements, then rotations about X, Y and Z."""
-    x, y, z = zip(*(-cross_matrix(at)).tolist(), strict=True)
+    x, y, z = at
     one, zero = sp.S.One, sp.S.Zero
-    return (one, zero, zero), (zero, one, zero), (zero, zero, one), x, y, z
+    return (one, zero, zero), (zero, one, zero), (zero, zero, one), (zero, -z, y), (z, zero, -x), (-y, x, zero)
 
 
 def _turned(turn: list[list[sp.Expr]], vector: Vector) -> Vector:

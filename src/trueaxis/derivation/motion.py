@@ -5,6 +5,7 @@ As in the paper the motion errors are zero at home, so an axis that stands still
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -30,8 +31,9 @@ class MotionEquation:
     motion: FirstOrder
 
 
+@cache
 def motion_equation(
-    machine: Machine, moves: Collection[str], terms: tuple[tuple[int, Carrier, Vector], ...], frame: Frame = "bed"
+    machine: Machine, moves: tuple[str, ...], terms: tuple[tuple[int, Carrier, Vector], ...], frame: Frame = "bed"
 ) -> MotionEquation:
     """Displacement of the signed sum of points, seen in `frame`, with the axes `moves` away from home."""
     ideal, columns = ZERO, dict[str, Vector]()

@@ -121,6 +121,8 @@ def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list
     for target, value in assignments:
         if target.name in needed and value in made and value.name not in needed and value not in names:
             names[value] = target
+    if not names:
+        return list(assignments)
     copies = set(names.values())
     return [(names.get(target, target), value.xreplace(names)) for target, value in assignments if target not in copies]
 
