@@ -6,12 +6,8 @@ Used on symbolic systems when they are derived and on measured runs when they ar
 """
 
 import heapq
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-
-import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 
 @dataclass(frozen=True)
@@ -107,14 +103,38 @@ def _unreached(held: Sequence[tuple[int, ...]], matched: dict[int, int], count: 
 
 
 def _components(held: Sequence[tuple[int, ...]], matched: dict[int, int], unknowns: Sequence[int]) -> list[int]:
-    position = {unknown: index for index, unknown in enumerate(unknowns)}
-    pairs = [(position[u], position[v]) for u in unknowns for v in held[matched[u]]]
-    if not pairs:
-        return []
-    rows, columns = np.array(pairs).T
-    graph = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(len(unknowns),) * 2)
-    labels = connected_components(graph, directed=True, connection="strong")[1]
-    return [int(label) for label in labels]
+    """A label for each unknown, one for all that need each other: strongly connected (Tarjan 1972)."""
+    met: dict[int, int] = {}  # in which order
+    lowest: dict[int, int] = {}  # of those that are needed and have no label yet
+    labels: dict[int, int] = {}
+    unlabelled: list[int] = []
+    places: dict[int, int] = {}  # among these
+    path: list[tuple[int, Iterator[int]]] = []
+
+    def enter(unknown: int) -> None:
+        met[unknown] = lowest[unknown] = len(met)
+        places[unknown] = len(unlabelled)
+        unlabelled.append(unknown)
+        path.append((unknown, iter(held[matched[unknown]])))
+
+    for root in unknowns:
+        if root not in met:
+            enter(root)
+        while path:
+            at, left = path[-1]
+            following = next((unknown for unknown in left if unknown not in labels), None)
+            if following is not None and following not in met:
+                enter(following)
+            elif following is not None:
+                lowest[at] = min(lowest[at], met[following])
+            else:
+                path.pop()
+                for below, _ in path[-1:]:
+                    lowest[below] = min(lowest[below], lowest[at])
+                if lowest[at] == met[at]:
+                    labels |= dict.fromkeys(unlabelled[places[at] :], at)
+                    del unlabelled[places[at] :]
+    return [labels[unknown] for unknown in unknowns]
 
 
 def _sorted_by_need(needs: dict[int, set[int]], first: dict[int, int]) -> list[int]:

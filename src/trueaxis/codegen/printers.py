@@ -6,6 +6,7 @@ Polynomials in Horner's form, as the derivation leaves them, are found again; va
 import math
 from collections.abc import Collection, Mapping
 from functools import cache, lru_cache
+from typing import Any
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
@@ -43,7 +44,8 @@ class _Plain:
     def _print(self, expr: sp.Expr) -> str:
         if isinstance(expr, sp.Function) and expr.func not in _FUNCTIONS:
             raise ValueError(f"no kernel needs {expr}")
-        return str(getattr(self, _method(type(self), type(expr)))(expr))
+        kinds: tuple[Any, Any] = type(self), type(expr)
+        return str(getattr(self, _method(*kinds))(expr))
 
 
 class PythonPrinter(_Plain, PythonCodePrinter):  # type: ignore[misc]

@@ -34,7 +34,8 @@ from trueaxis.jobs.draws import checked, faults_of_draws
 from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.tables import ORIGIN, Printed, Tabular, above_zero, at_least_zero, tool_points
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import ORIGIN, Tabular, above_zero, at_least_zero, tool_points
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel

@@ -8,12 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.jobs.tables import Printed
+from trueaxis.jobs.printed import Printed
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.machine import LINEAR
-from trueaxis.measurement.data import MeasuredData, read_data
-from trueaxis.measurement.setup import PointOn
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.kernels import numpy_kernels
 from trueaxis.model.manifest import other_spec, spec_label
@@ -22,6 +20,8 @@ from trueaxis.view import Carrier
 
 if TYPE_CHECKING:
     from trueaxis.derivation.systems import RunPattern
+    from trueaxis.measurement.data import MeasuredData
+    from trueaxis.measurement.setup import PointOn
 
 
 KERNELS = "generated"  # the folder that `derive` writes
@@ -141,10 +141,12 @@ def identification_runs(machine: Machine, spec: Path, given: Path | None = None)
         raise InputError(
             [Fault(str(spec), key, f"there is no folder {folder}", "a folder with setup.toml and readings.csv")]
         )
+    from trueaxis.measurement.data import read_data  # noqa: PLC0415  Polars; few specs have runs
+
     return run_patterns(machine, read_data(folder, machine))
 
 
-def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...]":
+def run_patterns(machine: Machine, data: "MeasuredData") -> "tuple[RunPattern, ...]":
     """The laser and probe runs of a data set, as patterns: which axes move is seen from the readings."""
     from trueaxis.derivation.systems import RunPattern  # noqa: PLC0415  as in derive
 
@@ -168,5 +170,5 @@ def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...
     return tuple(patterns)
 
 
-def _end(end: PointOn) -> tuple[Carrier, tuple[float, float, float]]:
+def _end(end: "PointOn") -> tuple[Carrier, tuple[float, float, float]]:
     return end.on, end.point

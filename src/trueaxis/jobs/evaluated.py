@@ -12,7 +12,8 @@ from trueaxis.evaluation.diagonal_test import DiagonalFigures, DiagonalTest
 from trueaxis.evaluation.positioning_test import Evaluation
 from trueaxis.evaluation.vdi3441 import Vdi3441
 from trueaxis.evaluation.vdi3441 import figures_of as vdi3441_of
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import Tabular
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -17,7 +17,8 @@ from trueaxis.io.files import write_files
 from trueaxis.jobs.given import Spelled, argument, check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.outputs import overwritten
-from trueaxis.jobs.tables import ORIGIN, Printed, above_zero, at_least_zero, tool_points
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import ORIGIN, above_zero, at_least_zero, tool_points
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray

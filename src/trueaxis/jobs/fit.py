@@ -11,7 +11,8 @@ from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.jobs.given import check_fit, name_of, with_errors
 from trueaxis.jobs.load import Errors
-from trueaxis.jobs.tables import Printed, Tabular, at_least_zero
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import Tabular, at_least_zero
 from trueaxis.jobs.typed import typed
 from trueaxis.machine import Machine
 from trueaxis.model.curves import LegendreCurve, TableCurve

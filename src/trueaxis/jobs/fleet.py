@@ -19,7 +19,8 @@ from trueaxis.io.safe_text import shown
 from trueaxis.io.staging import written_by_one
 from trueaxis.jobs.draws import workers_of
 from trueaxis.jobs.fleet_unit import clear, do_unit, prepare
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import Tabular
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.measurement.table import table_bytes
 from trueaxis.reporting.fleet import fleet_text

@@ -18,7 +18,8 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.jobs.given import Spelled, argument, faults_of_runs, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
-from trueaxis.jobs.tables import Printed, check_among
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import check_among
 from trueaxis.jobs.typed import typed
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData

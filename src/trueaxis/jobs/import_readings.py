@@ -19,7 +19,8 @@ from trueaxis.io.safe_text import shown
 from trueaxis.jobs.given import kernels_of
 from trueaxis.jobs.load import DataFolder, load_data
 from trueaxis.jobs.outputs import named, overwritten
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import Tabular
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine
 from trueaxis.measurement import readings as readings_files

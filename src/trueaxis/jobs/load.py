@@ -8,7 +8,8 @@ import polars as pl
 
 from trueaxis.io.files import write_files
 from trueaxis.jobs.derive import KERNELS
-from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import Tabular
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement import readings, setup

@@ -18,7 +18,8 @@ from trueaxis.jobs.identify import Noise, believed, noise_model
 from trueaxis.jobs.load import DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, outputs_of
-from trueaxis.jobs.tables import ORIGIN, Printed, Tabular
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import ORIGIN, Tabular
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file

@@ -11,10 +11,10 @@ from trueaxis.io.faults import InputError, RefusedError
 from trueaxis.jobs.draws import Show, checked, drawn, faults_of_draws
 from trueaxis.jobs.given import name_of, with_errors
 from trueaxis.jobs.load import Errors
+from trueaxis.jobs.printed import Printed
 from trueaxis.jobs.tables import (
     ORIGIN,
     Positions,
-    Printed,
     Tabular,
     at_least_zero,
     check_among,

@@ -10,7 +10,8 @@ from trueaxis.io.files import write_files
 from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.outputs import named, overwritten
-from trueaxis.jobs.tables import ORIGIN, Printed, tool_points
+from trueaxis.jobs.printed import Printed
+from trueaxis.jobs.tables import ORIGIN, tool_points
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.certificate_content import Content, Known, content

@@ -1,4 +1,4 @@
-"""Arrays as users give them, and results as they get them: reports in notebooks, frames of Polars and of pandas.
+"""Arrays as users give them, and results as they get them: frames of Polars and of pandas.
 
 Arrays are checked against the machine; what has the wrong shape is told with the expected one.
 """
@@ -6,7 +6,6 @@ Arrays are checked against the machine; what has the wrong shape is told with th
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from html import escape
 from typing import Any, get_args
 
 import numpy as np
@@ -130,15 +129,6 @@ def _finite(name: str, values: npt.ArrayLike) -> FloatArray:
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers; {int((~np.isfinite(array)).sum())} are not")
     return array
-
-
-class Printed:
-    """What has a report as its text: notebooks show it as it is printed."""
-
-    __slots__ = ()
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
 
 class Tabular(ABC):
