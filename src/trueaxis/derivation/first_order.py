@@ -53,8 +53,7 @@ class FirstOrder:
     def deviation(self) -> Vector:
         """The first-order deviation: sum of sensitivity times error, mm."""
         x, y, z = (
-            sp.Add(*(column[row] * sp.Symbol(name, real=True) for name, column in self.columns.items()))
-            for row in range(3)
+            sp.Add(*(column[row] * symbols.named(name) for name, column in self.columns.items())) for row in range(3)
         )
         return x, y, z
 

@@ -88,7 +88,7 @@ def build(
 
     results: the value of every row of every output. bound: assignments that the results refer to.
     """
-    targets = [target for target, _ in bound] + [sp.Symbol(row, real=True) for row in results]
+    targets = [target for target, _ in bound] + [symbols.named(row) for row in results]
     values = [value for _, value in bound] + list(results.values())
     shared, values = sp.cse(values, symbols=sp.numbered_symbols("_shared", real=True))
     needed = {row for output in outputs for row in output.rows}
@@ -111,7 +111,27 @@ def build(
 
 def count_operations(values: Iterable[sp.Expr]) -> int:
     """Arithmetic operations of the values."""
-    return int(sum(sp.count_ops(value) for value in values))
+    return sum(map(_operations, values))
+
+
+def _operations(value: sp.Expr) -> int:
+    """As `sympy.count_ops`, which makes new products as it goes; that has the last word where something is divided."""
+    parts = value.args
+    if value.is_Symbol:
+        return 0
+    if value.is_Add:  # a term with a sign is a difference
+        signs = sum(map(_negative, parts))
+        unsigned = sum(_operations(part) - (_negative(part) and not part.is_Float) for part in parts)
+        return unsigned + len(parts) - 1 + (signs == len(parts))
+    if value.is_Mul and not any(part.is_Pow or (part.is_Rational and not part.is_Integer) for part in parts):
+        within = sum(_operations(part) for part in parts if not part.is_Number)
+        return within + len(parts) - 1 - (parts[0] is sp.S.NegativeOne) + _negative(value)
+    return int(sp.count_ops(value))
+
+
+def _negative(value: sp.Expr) -> bool:
+    number = value.args[0] if value.is_Mul else value
+    return bool(number.is_Number and number.is_negative)
 
 
 def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
@@ -156,7 +176,7 @@ def _staged(ordered: Sequence[Assignment], inputs: Sequence[Argument]) -> tuple[
     ]
     free = {symbol for _, value in ordered for symbol in value.free_symbols}
     preparation = [(target, value) for target, value in trigonometry if target in free]
-    varying = {sp.Symbol(row, real=True) for row in rows} | {target for target, _ in preparation}
+    varying = {symbols.named(row) for row in rows} | {target for target, _ in preparation}
     batch: list[Assignment] = []
     body: list[Assignment] = []
     outputs = set()

@@ -1,6 +1,7 @@
 """The symbols of a machine's equations: names as in its files, LaTeX as in the paper."""
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -18,21 +19,25 @@ class SymbolText:
     description: str
 
 
+@cache
 def position(axis: str) -> sp.Symbol:
     """Commanded position of an axis: x, y, z (mm), a, b, c (deg)."""
     return sp.Symbol(axis.lower(), real=True)
 
 
+@cache
 def cosine(axis: str) -> sp.Symbol:
     """Cosine of the rotation of a rotary body, computed once per point before anything else."""
     return sp.Symbol(f"cos_{axis.lower()}", real=True)
 
 
+@cache
 def sine(axis: str) -> sp.Symbol:
     """Sine of the rotation of a rotary body."""
     return sp.Symbol(f"sin_{axis.lower()}", real=True)
 
 
+@cache
 def named(name: str) -> sp.Symbol:
     """The symbol of a component error or a parameter: its name in the files."""
     return sp.Symbol(name, real=True)
