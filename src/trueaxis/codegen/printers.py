@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
+from sympy.printing.precedence import precedence
 from sympy.printing.pycode import PythonCodePrinter
 
 from trueaxis.derivation.effect_terms import Absolute, Root, Sign, Step
@@ -38,8 +39,14 @@ class _Plain:
         """The code of an expression. Raises ValueError for a function that no kernel needs."""
         return self._print(expr)
 
-    def _as_ordered_terms(self, expr: sp.Expr, order: None = None) -> tuple[sp.Expr, ...]:  # noqa: ARG002  SymPy's
-        return _ordered_terms(expr)
+    def _print_Add(self, expr: sp.Expr) -> str:
+        first, *others = map(self._print, _ordered_terms(expr))
+        return first + "".join(f" - {text[1:]}" if text[0] == "-" else f" + {text}" for text in others)
+
+    def parenthesize(self, item: sp.Expr, level: float, strict: bool = False) -> str:  # noqa: ARG002  SymPy's signature
+        """The code of a factor, in brackets where it would be read otherwise."""
+        text = self._print(item)
+        return text if item.is_Symbol or precedence(item) > level else f"({text})"
 
     def _print(self, expr: sp.Expr) -> str:
         if isinstance(expr, sp.Function) and expr.func not in _FUNCTIONS:
