@@ -131,7 +131,7 @@ class CPrinter(_Plain, C99CodePrinter):  # type: ignore[misc]
         return self._names.get(expr.name, expr.name)
 
     def _print_Number(self, expr: sp.Expr) -> str:
-        return repr(float(expr.evalf(30)))
+        return repr(float(expr) if expr.is_Integer else float(expr.evalf(30)))
 
     # SymPy finds the method by the type's name.
     _print_Float = _print_Integer = _print_Rational = _print_NumberSymbol = _print_Number  # noqa: N815

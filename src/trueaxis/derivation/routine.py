@@ -64,7 +64,8 @@ class Binder:
     def bind(self, value: sp.Expr) -> sp.Expr:
         """The value itself where it is a number or a symbol, else a new symbol that stands for it."""
         value = sp.sympify(value)
-        if value.is_Atom or (-value).is_Atom:
+        negative = value.is_Mul and len(value.args) == 2 and value.args[0] is sp.S.NegativeOne
+        if value.is_Atom or (negative and value.args[1].is_Atom):
             return value
         name = sp.Symbol(f"{self._prefix}{len(self.assignments)}", real=True)
         self.assignments.append((name, value))
