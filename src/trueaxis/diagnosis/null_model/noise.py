@@ -42,15 +42,10 @@ def noise_of_runs(
     """
     groups = [one.noise_group for one in base.runs]
     names = list(dict.fromkeys(groups))
-    if noise_um is not None:
-        laws, fit, silent = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None, []
-    else:
-        blocks = list(blocks_of(rows, base, values))
-        guesses = {name: _guess(blocks, groups, name) for name in names}
-        laws, fit = restricted(blocks, groups, guesses, before)
-        silent = [name for name in names if laws[name].freedom < 1.0]
-        if silent:
-            laws, fit = _told_by_errors_expected(base, values, blocks, guesses, (laws, fit), silent)
+    laws: Mapping[str, Law] = {name: Law(white=1e-3 * (noise_um or 0.0), freedom=GIVEN) for name in names}
+    fit, silent = None, list[str]()
+    if noise_um is None:
+        laws, fit, silent = _estimated(rows, base, values, before)
     scales = np.ones(len(groups)) if fit is None else fit.scales
     certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
     found, told = dict[int, RunNoise](), list[NoiseOf]()
@@ -60,8 +55,7 @@ def noise_of_runs(
         at = np.concatenate([base.runs[place].rows.at for place in members])
         origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
         law = laws[name]
-        if name in silent:
-            origin = EXPECTED
+        origin = EXPECTED if name in silent else origin
         if law.freedom < 1.0:
             law, origin = Law(white=max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
         step = 0.0 if fit is None else _step(rows, base, members)
@@ -98,29 +92,32 @@ def noise_of_runs(
     return tuple(found[place] for place in range(len(groups))), tuple(told), fit
 
 
-def _told_by_errors_expected(
-    base: Base,
-    values: FloatArray,
-    blocks: Sequence[Block],
-    guesses: Mapping[str, Guess],
-    free: tuple[Mapping[str, Law], Found],
-    silent: Sequence[str],
-) -> tuple[dict[str, Law], Found]:
-    """The noise of the instruments of which the base, where it is free, leaves no reading: beside errors of the machine
-    as large as expected, times that of TIMES which the readings make likeliest. free: what is told of the others.
+def _estimated(
+    rows: Rows, base: Base, values: FloatArray, before: Found | None
+) -> tuple[Mapping[str, Law], Found, list[str]]:
+    """Of every group of runs, and those whose readings the base takes up whole where it is free.
+
+    Their noise is what is left beside errors of the machine as large as expected, times that of TIMES which the
+    readings make likeliest.
     """
     groups = [one.noise_group for one in base.runs]
-    guesses = {**guesses, **{name: _guess_of_neighbours(base, values, name) for name in silent}}
+    blocks = list(blocks_of(rows, base, values))
+    guesses = {name: _guess(blocks, groups, name) for name in dict.fromkeys(groups)}
+    laws, fit = restricted(blocks, groups, guesses, before)
+    silent = [name for name in guesses if laws[name].freedom < 1.0]
+    if not silent:
+        return laws, fit, silent
+    guesses |= {name: _guess_of_neighbours(base, values, name) for name in silent}
     tried: list[tuple[dict[str, Law], Found]] = []
     for times in TIMES:
         beside = [one.expecting(base, times) for one in blocks]
         tried.append(restricted(beside, groups, guesses, tried[-1][1] if tried else None))
         if len(tried) > 1 and tried[-1][1].unlikely > tried[-2][1].unlikely:
             break
-    laws, found = min(tried, key=lambda one: one[1].unlikely)
+    likeliest, found = min(tried, key=lambda one: one[1].unlikely)
     mine = np.isin(groups, silent)
-    scales, told = (np.where(mine, *both) for both in ((found.scales, free[1].scales), (found.told, free[1].told)))
-    return {**free[0], **{name: laws[name] for name in silent}}, replace(free[1], scales=scales, told=told)
+    scales, told = (np.where(mine, *both) for both in ((found.scales, fit.scales), (found.told, fit.told)))
+    return laws | {name: likeliest[name] for name in silent}, replace(fit, scales=scales, told=told), silent
 
 
 def _guess_of_neighbours(base: Base, values: FloatArray, name: str) -> Guess:

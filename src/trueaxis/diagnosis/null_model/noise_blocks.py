@@ -79,7 +79,7 @@ class Part:
         return found
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Block:
     """Parts whose noise is told together. at: (n,), rows of the data; free: (n, k), the base beside what is unknown of
     each run: orthonormal, or by chance, one standard deviation each; values: (n,), mm.
@@ -164,7 +164,7 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
     size = np.linalg.norm(free, axis=0)
     free = _less_own(parts, free)
     free = orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size])
-    return Block(tuple(parts), every, free, values[every])
+    return Block(parts=tuple(parts), at=every, free=free, values=values[every])
 
 
 def _less_own(parts: Sequence[Part], columns: FloatArray) -> FloatArray:
