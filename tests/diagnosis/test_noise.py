@@ -192,7 +192,7 @@ def test_lines_of_few_targets_tell_it_beside_errors_as_large_as_expected(times: 
     large as the values themselves. Values given that are nearly right leave smaller errors than expected.
     """
     every, _ = measured(Design(lines=4, repeats=1, targets=8, ball_bar=False))
-    rows = every.only((every.directions >= 0).all(axis=0))
+    rows = every.only(np.asarray((every.directions >= 0).all(axis=0)))
     base = base_of(prepared(Case(seed=1, design=DESIGN, noise="none", given="exact")).model, rows)
     ratio = []
     for seed in range(DRAWS):

@@ -20,7 +20,7 @@ from trueaxis.diagnosis.judging.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.judging.verdict import size_is_significant
 from trueaxis.diagnosis.null_model.null import Null
 from trueaxis.diagnosis.null_model.projection import Projection, orthonormal
-from trueaxis.diagnosis.result import FloatArray, Stale
+from trueaxis.diagnosis.result import FloatArray
 
 MOST = 3  # effects that are looked at as explaining the readings about as well as stale values
 LIKELIER = -float(np.log10(FALSE_ALARMS))  # decades by which an effect must be likelier than stale values to be named
@@ -59,15 +59,17 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     tried = [(cause, left), *((one, _left(tight, null, one, known)) for one in others[: MOST - 1])]
     # an effect that aliases to a slow curve at targets of one distance has any size
     vanishes = tuple(one.effect for one, its in tried if not its.stale and size_is_significant(one))
-    alone = len(changes.stale) == 1 and _imitates(null, free, changes.stale[0], cause)
-    if cause.effect in vanishes and best.scan.preference >= behind + LIKELIER and not alone:
+    # a wave as long as the travel is a curve of its component, as any other
+    single = {cause.effect.component, *(one.component for one in changes.stale if len(changes.stale) == 1)}
+    imitated = any(_imitates(null, free, one, cause) for one in single)
+    if cause.effect in vanishes and best.scan.preference >= behind + LIKELIER and not imitated:
         return Named(best, cause), left
     return None, replace(changes, stale=tuple(replace(one, effects=vanishes) for one in changes.stale))
 
 
-def _imitates(null: Null, free: Projection, stale: Stale, cause: Fitted) -> bool:
-    """Whether a change of the stale component alone makes the readings what the effect makes them."""
-    at = np.flatnonzero(np.array(null.base.components) == stale.component)
+def _imitates(null: Null, free: Projection, component: str | None, cause: Fitted) -> bool:
+    """Whether a change of a component alone makes the readings what the effect makes them."""
+    at = np.flatnonzero(np.array(null.base.components) == component)
     columns = null.whitening(null.base.machine.take(at).dense())
     basis, signal = orthonormal(free.rest(columns)), free.rest(null.whitening(cause.signal))
     left = signal - basis @ (basis.T @ signal)
