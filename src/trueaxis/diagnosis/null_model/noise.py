@@ -15,7 +15,8 @@ import numpy as np
 from trueaxis.diagnosis.null_model.base import Base
 from trueaxis.diagnosis.null_model.freedom import freedom_of_runs
 from trueaxis.diagnosis.null_model.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
-from trueaxis.diagnosis.null_model.noise_fit import Found, Guess, Law, restricted
+from trueaxis.diagnosis.null_model.noise_fit import restricted
+from trueaxis.diagnosis.null_model.noise_law import Found, Guess, Law
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RunNoise
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
@@ -109,15 +110,18 @@ def _estimated(
         return laws, fit, silent
     guesses |= {name: _guess_of_neighbours(base, values, name) for name in silent}
     tried: list[tuple[dict[str, Law], Found]] = []
-    for times in TIMES:
+    earlier = None if before is None else before.beside  # of nearly the same readings
+    for times in TIMES if earlier is None else (earlier.times,):
         beside = [one.expecting(base, times) for one in blocks]
-        tried.append(restricted(beside, groups, guesses, tried[-1][1] if tried else None))
+        told, found = restricted(beside, groups, guesses, tried[-1][1] if tried else earlier)
+        tried.append((told, replace(found, times=times)))
         if len(tried) > 1 and tried[-1][1].unlikely > tried[-2][1].unlikely:
             break
-    likeliest, found = min(tried, key=lambda one: one[1].unlikely)
+    told, found = min(tried, key=lambda one: one[1].unlikely)
     mine = np.isin(groups, silent)
-    scales, told = (np.where(mine, *both) for both in ((found.scales, fit.scales), (found.told, fit.told)))
-    return laws | {name: likeliest[name] for name in silent}, replace(fit, scales=scales, told=told), silent
+    scales, information = (np.where(mine, *both) for both in ((found.scales, fit.scales), (found.told, fit.told)))
+    fit = replace(fit, scales=scales, told=information, beside=found)
+    return laws | {name: told[name] for name in silent}, fit, silent
 
 
 def _guess_of_neighbours(base: Base, values: FloatArray, name: str) -> Guess:

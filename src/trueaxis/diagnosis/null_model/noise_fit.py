@@ -14,6 +14,7 @@ from scipy.optimize import minimize
 
 from trueaxis.diagnosis.null_model.base import ANYWHERE
 from trueaxis.diagnosis.null_model.noise_blocks import Block, Part, Shapes
+from trueaxis.diagnosis.null_model.noise_law import Found, Guess, Law
 from trueaxis.diagnosis.null_model.noise_precision import Precision, factor_less_misfit, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.estimation.factors import few_of
@@ -34,41 +35,6 @@ STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likeliho
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
-
-
-@dataclass(frozen=True, slots=True)
-class Guess:
-    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
-
-    noise: float
-    misfit: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Law:
-    """Of an instrument: standard deviations, mm, of white and slow noise, wandering, settling and the places of the
-    balls of its runs; lasts: typical steps; freedom: degrees of freedom that tell it.
-    """
-
-    white: float
-    slow: float = 0.0
-    lasts: float = 1.0
-    wanders: float = 0.0
-    settles: float = 0.0
-    places: float = ANYWHERE
-    freedom: float = 1.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each;
-    told: (n_runs,), information on the logarithm of each; unlikely: minus the logarithm of the likelihood.
-    """
-
-    sizes: FloatArray
-    scales: FloatArray
-    told: FloatArray
-    unlikely: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -233,7 +199,9 @@ def restricted(
     laws, information = _averaged(of, list(first), best.x)
     for block in blocks[1:]:
         information += _scaled(Likelihood(block, instruments, first), best.x)
-    return laws, Found(of.sizes(best.x), np.exp(best.x[of.count :]), information, float(best.fun))
+    return laws, Found(
+        sizes=of.sizes(best.x), scales=np.exp(best.x[of.count :]), told=information, unlikely=float(best.fun)
+    )
 
 
 def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:

@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.diagnosis.null_model.base import Base, base_of
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.noise import noise_of_runs
-from trueaxis.diagnosis.null_model.noise_fit import Found
+from trueaxis.diagnosis.null_model.noise_law import Found
 from trueaxis.diagnosis.null_model.projection import Projection, spanned
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RANK, RunNoise, Whitening, whitening
