@@ -83,9 +83,8 @@ SHARE = 0.25  # of the tolerance, allowed between the errors of a motion and the
 ARC_SHARE = 0.1  # the same along a chord of an arc that is to stay one: the points have the rest, see kept_arcs.py
 SHORTEST = 0.05  # mm (deg); what is shorter is not cut: a jump in the errors cannot be followed by cutting
 PROBES_AT_ONCE = 65536
-OF_ALL_CHORDS = (
-    0.25  # of those of an arc that may stay one count as points: a batch has no more than four times as many
-)
+# of the chords of an arc that may stay one, how many count as points: a batch has no more than four times as many
+OF_ALL_CHORDS = 0.25
 
 
 def subdivide(
@@ -259,9 +258,7 @@ def _parts_of(
         yield item, 1.0
 
 
-def _loads_of_arcs(
-    radius: FloatArray, sweep: FloatArray, most: NDArray[np.int64], stay: bool
-) -> FloatArray:  # fmt: skip
+def _loads_of_arcs(radius: FloatArray, sweep: FloatArray, most: NDArray[np.int64], stay: bool) -> FloatArray:
     """About how many points arcs take, each (n,): few where they may stay arcs; all where they prove to be none,
     `most`, for which memory is to be bounded too.
     """
