@@ -18,6 +18,7 @@ from trueaxis.diagnosis.causes.signatures import directions_of
 from trueaxis.diagnosis.further_runs.separation import APART
 from trueaxis.diagnosis.judging.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.judging.verdict import size_is_significant
+from trueaxis.diagnosis.null_model.noise import EXPECTED
 from trueaxis.diagnosis.null_model.null import Null
 from trueaxis.diagnosis.null_model.projection import Projection, orthonormal
 from trueaxis.diagnosis.result import FloatArray
@@ -39,9 +40,12 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
 
     None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
     threshold of any candidate, have a size beyond its uncertainty, leave nothing stale, be the likelier by LIKELIER,
-    and say of the readings what no change of one component does: a new scale of one axis is one number, too. known:
-    (n,) each, mm, what instruments do that are off.
+    and say of the readings what no change of one component does: a new scale of one axis is one number, too. Nor does
+    one where errors as large as expected tell the noise: how likely changes are is then said already. known: (n,) each,
+    mm, what instruments do that are off.
     """
+    if any(one.origin == EXPECTED for one in null.noise):
+        return None, changes
     free = free_besides(null, known, ())
     tight = replace(ground, plain=free, base=free, wide=free, known={})
     residual = tight.left(free)
