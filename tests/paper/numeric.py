@@ -3,6 +3,7 @@ its readings by the untruncated chain at the published points, and how far a pri
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 
@@ -169,10 +170,7 @@ class Counterexample:
 def counterexample(erratum: Erratum, errata: tuple[Erratum, ...]) -> Counterexample | None:
     """The formula that this erratum spoils most; None if it concerns no formula."""
     worst: Counterexample | None = None
-    for mend in erratum.mends:
-        part = formula(mend)
-        if part is None or part.run == SYMBOLIC:
-            continue
+    for mend, part in _with_numbers(erratum):
         printed = miss(mended(mend.source, part, errata, without=erratum))
         right = miss(mended(mend.source, part, errata))
         assert right is not None, f"({mend.source}) {part.label} names something undefined after mending"
@@ -182,6 +180,19 @@ def counterexample(erratum: Erratum, errata: tuple[Erratum, ...]) -> Counterexam
         if worst is None or (worst.printed or 0.0) < (printed or 0.0):
             worst = found
     return worst
+
+
+def has_counterexample(erratum: Erratum) -> bool:
+    """Whether it concerns a formula, without a value of it."""
+    return any(True for _ in _with_numbers(erratum))
+
+
+def _with_numbers(erratum: Erratum) -> Iterator[tuple[Mend, Formula]]:
+    """The mends of formulas that take numbers, and these formulas as printed."""
+    for mend in erratum.mends:
+        part = formula(mend)
+        if part is not None and part.run != SYMBOLIC:
+            yield mend, part
 
 
 def _unit(source: int | str, part: Formula) -> str:
