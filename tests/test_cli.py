@@ -29,7 +29,7 @@ def subparser(command: str) -> argparse.ArgumentParser:
     return found
 
 
-ONE_OF = {("plan", "data")}  # where one of several is required
+ONE_OF = {("plan", "data"), ("predict", "at")}  # where one of several is required
 
 
 def arguments(command: str, folder: Path, **given: Path) -> list[str]:

@@ -141,7 +141,7 @@ EMITTER_SLIPS: dict[str, tuple[Any, str, Callable[[Any], Any]]] = {
     "inverse not turned": (chain_section, "_turned", lambda f: lambda back, *rest: f(back.T + sp.eye(3), *rest)),
     "lever of a rotation negated": (first_order, "cross", _negated),
     "lever of a rotation exchanged": (first_order, "cross", _swapped),
-    "generators transposed": (first_order, "cross_matrix", _transpose),
+    "generators transposed": (first_order, "_generators", lambda f: lambda at: f(tuple(-part for part in at))),
     "coordinates of readings negated": (
         paper_section,
         "monomial_terms",

@@ -112,27 +112,7 @@ def build(
 
 def count_operations(values: Iterable[sp.Expr]) -> int:
     """Arithmetic operations of the values."""
-    return sum(map(_operations, values))
-
-
-def _operations(value: sp.Expr) -> int:
-    """As `sympy.count_ops`, which makes new products as it goes; that has the last word where something is divided."""
-    parts = value.args
-    if value.is_Symbol:
-        return 0
-    if value.is_Add:  # a term with a sign is a difference
-        signs = sum(map(_negative, parts))
-        unsigned = sum(_operations(part) - (_negative(part) and not part.is_Float) for part in parts)
-        return unsigned + len(parts) - 1 + (signs == len(parts))
-    if value.is_Mul and not any(part.is_Pow or (part.is_Rational and not part.is_Integer) for part in parts):
-        within = sum(_operations(part) for part in parts if not part.is_Number)
-        return within + len(parts) - 1 - (parts[0] is sp.S.NegativeOne) + _negative(value)
-    return int(sp.count_ops(value))
-
-
-def _negative(value: sp.Expr) -> bool:
-    number = value.args[0] if value.is_Mul else value
-    return bool(number.is_Number and number.is_negative)
+    return int(sum(sp.count_ops(value) for value in values))
 
 
 def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
