@@ -1,10 +1,14 @@
 """The order of solution: hand-made cases, and any system against solving it in that order."""
 
+from itertools import product
+
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
-from trueaxis.blocks import Block, SolutionOrder, solution_order
+from trueaxis.blocks import Block, SolutionOrder, _components, solution_order
 
 
 def test_a_chain_is_solved_from_its_end() -> None:
@@ -97,3 +101,17 @@ def test_which_unknowns_can_be_found_does_not_hang_on_the_order_of_equations(
     shuffled = list(incidence)
     random.shuffle(shuffled)  # type: ignore[attr-defined]
     assert solution_order(incidence, count).undetermined == solution_order(shuffled, count).undetermined
+
+
+@given(st.data(), st.integers(1, 9))
+def test_what_needs_each_other_is_what_scipy_finds(data: st.DataObject, count: int) -> None:
+    """Strongly connected components, of any needs: equation k is matched to unknown k."""
+    needs = st.lists(st.integers(0, count - 1), max_size=4)
+    held = [tuple(sorted({k, *data.draw(needs)})) for k in range(count)]
+    labels = _components(held, {k: k for k in range(count)}, range(count))
+    pairs = [(k, other) for k, others in enumerate(held) for other in others]
+    rows, columns = np.array(pairs).T
+    graph = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(count, count))
+    expected = connected_components(graph, directed=True, connection="strong")[1]
+    for one, other in product(range(count), repeat=2):
+        assert (labels[one] == labels[other]) == (expected[one] == expected[other])

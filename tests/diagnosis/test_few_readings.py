@@ -50,7 +50,7 @@ def test_of_readings_whose_noise_nobody_knows_nothing_is_said(run: str, count: i
     assert one.causes == ()
     (noise,) = one.noise  # the base and what is unknown of the run take all of them
     assert noise.origin == ("expected" if count == 8 else "unknown")
-    assert noise.freedom == 1.0 or 1.0 < noise.freedom < count == 8
+    assert 1.0 < noise.freedom < count if count == 8 else noise.freedom == 1.0
 
 
 def test_one_circle_without_repeats_may_show_a_period_as_its_course_tells_the_noise() -> None:

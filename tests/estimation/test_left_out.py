@@ -13,7 +13,8 @@ from tests.worlds.truth import draw_machine
 from trueaxis.estimation import estimate as room
 from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.left_out import beside_all, beside_others
+from trueaxis.estimation.left_out import _far, _Rows, beside_all, beside_others
+from trueaxis.estimation.misread import SURE
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import moved as moved_state
@@ -92,6 +93,18 @@ def test_all_readings_say_of_a_run_what_the_others_say(
         moved = replace(others, state=moved_state(rest, expected, sizes.own_scales(others.x)))
         alone = beside_others(moved, expected, [run], fitted.scales)
         assert together[run.rows.index,].times == pytest.approx(alone.times, rel=0.02)
+
+
+@pytest.mark.parametrize(("times", "sure"), [(2.4, False), (5.0, True)])
+def test_however_many_readings_the_form_of_noise_is_no_better_known(times: float, sure: bool) -> None:
+    """Noise of a run is seen where no error could be; in 25 directions of errors it follows from its form. With a
+    degree of freedom for each of 2000 readings, circles with play that is not quite of its form contradicted all.
+    """
+    none = np.zeros((25, 0))
+    run = _Rows(own=none, others=none, sizes=np.zeros((0, 1)), left=np.full(25, times), noise=1.0)
+    far = _far([run], np.eye(25))
+    assert far.times == pytest.approx(times)
+    assert (far.log_p < -SURE) is sure
 
 
 def test_readings_as_they_should_be_contradict_nothing(bench: tuple[World, Array]) -> None:

@@ -64,8 +64,8 @@ class Prediction(Printed, Tabular):
     axes: letters, the rows of positions; positions: (n_axes, n), mm or deg; tool: (3, n), mm; deviation: (3, n), actual
     minus ideal, mm; u: (3, n), its standard uncertainty, u_prior the part of that which rests on [prior], mm, NaN where
     unknown; open: (3, n), by how much what no reading determines could move the point, mm; notes: how far they may be
-    relied on; placement: with datum "best-fit"; drawn: with draws; grid: of the positions, if they
-    are of one. Printed, it is the report of `trueaxis predict`.
+    relied on; placement: with datum "best-fit"; drawn: with draws; grid: of the positions, if they are
+    of one. Printed, it is the report of `trueaxis predict`.
     """
 
     axes: tuple[str, ...]

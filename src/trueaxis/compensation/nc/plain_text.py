@@ -267,14 +267,11 @@ def _numbers(
     return first, np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals
 
 
-def _whole_numbers(
-    figures: NDArray[np.uint8], begin: NDArray[np.int32], count: NDArray[np.int32]
-) -> NDArray[np.int64]:  # fmt: skip
+def _whole_numbers(figures: NDArray[np.uint8], begin: NDArray[np.int32], count: NDArray[np.int32]) -> NDArray[np.int64]:
     """The numbers that `count` figures make from `begin` on; of no use where they are more than 16."""
     room = np.concatenate([np.full(_EIGHT, ord("0"), dtype=np.uint8), figures])
-    each = np.ndarray(
-        (figures.size + 1,), dtype="<u8", buffer=room, strides=(1,)
-    ).copy()  # eight figures before a place
+    # the eight figures before each place
+    each = np.ndarray((figures.size + 1,), dtype="<u8", buffer=room, strides=(1,)).copy()
     end = begin + count
     value = _of_eight(each[end], np.minimum(count, _EIGHT))
     if count.max(initial=0) > _EIGHT:

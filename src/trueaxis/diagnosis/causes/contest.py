@@ -63,9 +63,10 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     tried = [(cause, left), *((one, _left(tight, null, one, known)) for one in others[: MOST - 1])]
     # an effect that aliases to a slow curve at targets of one distance has any size
     vanishes = tuple(one.effect for one, its in tried if not its.stale and size_is_significant(one))
+    stale = {one.component for one in changes.stale}
     # a wave as long as the travel is a curve of its component, as any other
-    single = {cause.effect.component, *(one.component for one in changes.stale if len(changes.stale) == 1)}
-    imitated = any(_imitates(null, free, one, cause) for one in single)
+    alone = {cause.effect.component, *(stale if len(stale) == 1 else ())}
+    imitated = any(_imitates(null, free, one, cause) for one in alone)
     if cause.effect in vanishes and best.scan.preference >= behind + LIKELIER and not imitated:
         return Named(best, cause), left
     return None, replace(changes, stale=tuple(replace(one, effects=vanishes) for one in changes.stale))

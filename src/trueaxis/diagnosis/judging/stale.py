@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnosis.null_model.base import Base
+from trueaxis.diagnosis.null_model.base import SIZES, Base
 from trueaxis.diagnosis.null_model.by_run import of_basis
 from trueaxis.diagnosis.null_model.freedom import Freedom
 from trueaxis.diagnosis.null_model.null import Null
@@ -22,7 +22,6 @@ from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
 CHANGED = 2.0  # standard uncertainties: from where to where a curve has changed
-SIZES = (1 / 16, 1 / 4, 1.0, 4.0)  # of a change, in what [prior] expects of the values themselves
 ALIKE = 2.0  # decades of likelihood within which another component may be the one that changed
 MOST_ALIKE = 4  # of these that are told
 

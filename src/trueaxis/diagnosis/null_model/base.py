@@ -33,6 +33,8 @@ from trueaxis.model.uncertainty import open_steps
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
 LARGEST = 256.0  # times what [prior] expects of an error: beyond, it is none of a machine
+# of errors of the machine, in what [prior] expects of them: values given are nearly right, or zero, or [prior] is wrong
+SIZES = (1 / 16, 1 / 4, 1.0, 4.0)
 WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 PER_UNIT = {"mm": 1.0, "rad": ARM}  # mm of a reading per unit of what is unknown of an instrument
 PLACES = 201  # over the travel, at which a curve is looked at

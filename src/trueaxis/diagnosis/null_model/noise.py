@@ -7,12 +7,12 @@ Noise of an instrument is white (more in some runs than in others) and slow; its
 each run of a ball bar stands a little elsewhere.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from trueaxis.diagnosis.null_model.base import Base
+from trueaxis.diagnosis.null_model.base import SIZES, Base
 from trueaxis.diagnosis.null_model.freedom import freedom_of_runs
 from trueaxis.diagnosis.null_model.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
 from trueaxis.diagnosis.null_model.noise_fit import restricted
@@ -24,7 +24,7 @@ from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import SMALLEST, first_noise
 from trueaxis.estimation.state import DISPLAY
 
-TIMES = (1 / 16, 1 / 4, 1.0, 4.0)  # what is expected of errors of the machine: values given are nearly right, or zero
+LEAST = 1.0  # degrees of freedom: fewer tell no noise
 FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 # where a noise comes from
@@ -43,9 +43,10 @@ def noise_of_runs(
     """
     groups = [one.noise_group for one in base.runs]
     names = list(dict.fromkeys(groups))
-    laws: Mapping[str, Law] = {name: Law(white=1e-3 * (noise_um or 0.0), freedom=GIVEN) for name in names}
-    fit, silent = None, list[str]()
-    if noise_um is None:
+    silent: Sequence[str] = ()
+    if noise_um is not None:
+        laws, fit = {name: Law(white=1e-3 * noise_um, freedom=GIVEN) for name in names}, None
+    else:
         laws, fit, silent = _estimated(rows, base, values, before)
     scales = np.ones(len(groups)) if fit is None else fit.scales
     certain = np.full(len(groups), GIVEN) if fit is None else freedom_of_runs(np.log(fit.scales), fit.told)
@@ -57,7 +58,7 @@ def noise_of_runs(
         origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
         law = laws[name]
         origin = EXPECTED if name in silent else origin
-        if law.freedom < 1.0:
+        if law.freedom < LEAST:
             law, origin = Law(white=max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
         step = 0.0 if fit is None else _step(rows, base, members)
         times = _readings_of_a_target(rows, base, members)
@@ -95,23 +96,23 @@ def noise_of_runs(
 
 def _estimated(
     rows: Rows, base: Base, values: FloatArray, before: Found | None
-) -> tuple[Mapping[str, Law], Found, list[str]]:
-    """Of every group of runs, and those whose readings the base takes up whole where it is free.
+) -> tuple[dict[str, Law], Found, list[str]]:
+    """Of every group of runs, and the names of those whose readings the base takes up whole where it is free.
 
-    Their noise is what is left beside errors of the machine as large as expected, times that of TIMES which the
-    readings make likeliest.
+    Their noise is what is left beside errors of the machine as large as expected, times that of SIZES which the
+    readings make likeliest. values, before: see `noise_of_runs`.
     """
     groups = [one.noise_group for one in base.runs]
     blocks = list(blocks_of(rows, base, values))
     guesses = {name: _guess(blocks, groups, name) for name in dict.fromkeys(groups)}
     laws, fit = restricted(blocks, groups, guesses, before)
-    silent = [name for name in guesses if laws[name].freedom < 1.0]
+    silent = [name for name in guesses if laws[name].freedom < LEAST]
     if not silent:
         return laws, fit, silent
     guesses |= {name: _guess_of_neighbours(base, values, name) for name in silent}
     tried: list[tuple[dict[str, Law], Found]] = []
     earlier = None if before is None else before.beside  # of nearly the same readings
-    for times in TIMES if earlier is None else (earlier.times,):
+    for times in SIZES if earlier is None else (earlier.times,):
         beside = [one.expecting(base, times) for one in blocks]
         told, found = restricted(beside, groups, guesses, tried[-1][1] if tried else earlier)
         tried.append((told, replace(found, times=times)))

@@ -109,4 +109,4 @@ def factor_of(matrix: FloatArray) -> FloatArray:
 
 def solved(factor: FloatArray, columns: FloatArray) -> FloatArray:
     """Columns (n, k) divided by a lower factor (n, n)."""
-    return np.asarray(dtrtrs(factor, columns, lower=1)[0]) if factor.size else columns  # LAPACK complains of none
+    return np.asarray(dtrtrs(factor, columns, lower=1)[0]) if factor.size else columns  # LAPACK complains of empty ones
