@@ -75,6 +75,7 @@ class Trial:
         if cold:
             for library in Path(self.environment["TRUEAXIS_CACHE"]).rglob("*.so"):
                 library.unlink()
+        before = set(leftovers(self.out))  # of runs killed here, if this one is stopped before it clears up after them
         code, error = self._ended(number, after) if fresh else self._loaded_ended(number, after)
         faults = self._faults_of_files()
         if number != signal.SIGKILL:
@@ -82,7 +83,7 @@ class Trial:
                 faults.append(f"exit code {code}")
             if after > OF_PYTHON and ("Traceback" in error or "Exception ignored" in error):
                 faults.append(f"traceback: {error[-300:]}")
-            if code != -number and (left := leftovers(self.out)):
+            if code != -number and (left := sorted(set(leftovers(self.out)) - before)):
                 faults.append(f"left behind: {left}")
         return [f"{number.name} after {after:.3f} s, fresh {fresh}: {fault}" for fault in faults]
 
