@@ -150,12 +150,11 @@ class Whitening:
     def weights(self) -> FloatArray:
         """(n,): diagonal of the inverse of the covariance: one over the variance of a reading given the others."""
         root, below = self._factor
-        inverse = np.zeros(root.size)  # diagonal of (L L')^-1, and of its first subdiagonal
-        beside = np.zeros(root.size)
-        for k in range(root.size - 1, -1, -1):
-            following = inverse[k + 1] if k + 1 < root.size else 0.0
-            inverse[k] = 1.0 / root[k] ** 2 + (below[k] / root[k]) ** 2 * following
-            beside[k] = -below[k] / root[k] * following
+        ratio = below / root
+        # diagonal of (L L')^-1, d_k = root_k^-2 + ratio_k^2 d_k+1: a triangle with one band, solved as such
+        band = np.vstack([np.append(0.0, -(ratio[:-1] ** 2)), np.ones(root.size)])
+        inverse = dtbtrs(band, (root**-2.0)[:, np.newaxis], uplo="U")[0][:, 0]
+        beside = -ratio[:-1] * inverse[1:]  # its first subdiagonal
         found = inverse.copy()
-        found[:-1] += self._kept[1:] ** 2 * inverse[1:] - 2.0 * self._kept[1:] * beside[:-1]
+        found[:-1] += self._kept[1:] ** 2 * inverse[1:] - 2.0 * self._kept[1:] * beside
         return found
