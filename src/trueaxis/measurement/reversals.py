@@ -9,6 +9,7 @@ import numpy.typing as npt
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.machine import FloatArray
 
+BoolArray = npt.NDArray[np.bool_]
 IntArray = npt.NDArray[np.int64]
 SECONDS = 60.0  # of a minute: feeds are in mm/min
 
@@ -25,7 +26,7 @@ class Reversals:
     row: IntArray
     share: FloatArray
     beyond: FloatArray
-    stood: npt.NDArray[np.bool_]
+    stood: BoolArray
 
     def since_row(self, counted: FloatArray) -> FloatArray:
         """(n_axes, n): what has passed since `row` of what counts up along the readings, (n,) or (n_axes, n); infinite
@@ -69,10 +70,58 @@ def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: Floa
     to have begun earlier on the same curve, as that of a ball bar does: an axis may have turned before its first
     reading. Cost in proportion to the readings.
     """
-    row, count = _changes(directions), path.shape[1]
+    row, way = _changes(directions), _way(axes, path)
     share, beyond = np.zeros(path.shape), np.zeros(path.shape)
-    steps = _steps(axes, path)
-    way = np.cumsum(steps) if (steps[1:] > 0.0).all() else np.arange(float(count))
+    for one in _turns(row, directions, path, way):
+        mine = (row[one.axis] == one.row) & (way > one.at)
+        row[one.axis, mine] = one.after - 1
+        share[one.axis, mine] = (one.at - way[one.after - 1]) / (way[one.after] - way[one.after - 1])
+        beyond[one.axis, mine] = one.gone - abs(path[one.axis, one.after] - path[one.axis, one.after - 1])
+    return Reversals(row, share, beyond, np.zeros(path.shape, dtype=bool))
+
+
+def beside_reversals(axes: Sequence[str], directions: FloatArray, path: FloatArray, reach: float) -> BoolArray:
+    """(n,): readings on the way, of which it is anybody's choice on which side of a reversal they were taken.
+
+    They are those at which an axis is no farther than `reach`, mm or deg, from where it turned, those whose direction
+    is not that of the path there, and, where the path does not show where it turned, the two beside the change.
+    """
+    row, way = _changes(directions), _way(axes, path)
+    found, last = np.zeros(way.size, dtype=bool), way.size - 1
+    changes = {(axis, turn) for axis in range(len(axes)) for turn in np.unique(row[axis]).tolist() if turn >= 0}
+    for one in _turns(row, directions, path, way):
+        if one.row < 0:
+            continue
+        changes.remove((one.axis, one.row))
+        at = path[one.axis, one.after] - np.sign(directions[one.axis, one.after]) * one.gone
+        far = np.abs(path[one.axis] - at) > reach
+        first, then = one.row, one.row + 1
+        while first >= 0 and not (far[first] and way[first] < one.at):
+            found[first], first = True, first - 1
+        while then <= last and not (far[then] and way[then] > one.at):
+            found[then], then = True, then + 1
+    for _, turn in changes:
+        found[turn : turn + 2] = True
+    return found
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Turn:
+    """Where an axis turned. row: the reading before its direction changed, -1 where that was before the first; after:
+    the first reading after it turned, or nearly; at: its place along the way; gone: how far the axis has come from
+    there to that reading.
+    """
+
+    axis: int
+    row: int
+    after: int
+    at: float
+    gone: float
+
+
+def _turns(row: IntArray, directions: FloatArray, path: FloatArray, way: FloatArray) -> list[_Turn]:
+    """Those that the path shows. row: see `_changes`; way: (n,), along the path."""
+    found, count = [], way.size
     middle = 0.5 * (way[1:] + way[:-1])
     for axis in range(path.shape[0] if count > 2 else 0):
         velocity = np.diff(path[axis]) / np.diff(way)
@@ -84,15 +133,17 @@ def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: Floa
             at_once = turn <= 0 and not late  # before the middle of the first step
             one = after - 1 if late or at_once else after - 2
             turned = velocity[one] * bent[one] > 0.0 if at_once else velocity[one] * velocity[one + 1] < 0.0
-            if not turned:
-                continue
-            at = min(middle[one] - velocity[one] / bent[one], way[after])
-            mine = (row[axis] == turn) & (way > at)
-            row[axis, mine] = after - 1
-            share[axis, mine] = (at - way[after - 1]) / (way[after] - way[after - 1])
-            gone = 0.5 * abs(bent[one]) * (way[after] - at) ** 2
-            beyond[axis, mine] = gone - abs(path[axis, after] - path[axis, after - 1])
-    return Reversals(row, share, beyond, np.zeros(path.shape, dtype=bool))
+            if turned:
+                at = float(min(middle[one] - velocity[one] / bent[one], way[after]))
+                gone = 0.5 * abs(float(bent[one])) * (float(way[after]) - at) ** 2
+                found.append(_Turn(axis=axis, row=turn, after=after, at=at, gone=gone))
+    return found
+
+
+def _way(axes: Sequence[str], path: FloatArray) -> FloatArray:
+    """(n,): along the path, mm; by the number of the reading where the linear axes stand."""
+    steps = _steps(axes, path)
+    return np.cumsum(steps) if (steps[1:] > 0.0).all() else np.arange(float(path.shape[1]))
 
 
 def distance_since(turned: Reversals, path: FloatArray) -> FloatArray:

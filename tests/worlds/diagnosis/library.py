@@ -27,6 +27,7 @@ NEEDS = {  # column without which nobody can know a kind
     "reversal_spike_time": "feed",
 }
 ALONG = ("thermal_expansion", "warm_up", "servo_lag", "reversal_spike", "reversal_spike_time", "reversal_spike_path")
+SEARCHED = ("warm_up", "reversal_spike", "reversal_spike_time", "reversal_spike_path")  # with a decay that is sought
 NOT_TURNS = ("cyclic",)  # along and across; all else turns as well
 
 

@@ -16,7 +16,7 @@ from scipy.linalg import cholesky, qr, solve_triangular
 
 from tests.hidden_effects.power.grade import Name
 from tests.worlds.design import Design
-from tests.worlds.diagnosis.library import COARSE, Search, candidates, fine
+from tests.worlds.diagnosis.library import COARSE, SEARCHED, Search, candidates, fine
 from tests.worlds.machine import Array, Indices
 from tests.worlds.shop import Unknown, every_unknown
 from tests.worlds.truth import span_of
@@ -92,7 +92,7 @@ class Ground:
 
 def flat_ground(design: Design, left_out: Sequence[str] = ()) -> Ground:
     """Every unknown of an instrument is flat but its drift; left_out: location errors that the spec does not have."""
-    unknowns = (*every_unknown(design.machine, design.plan), *(u for u in design.shop.unknowns if u.kind == "warm_bar"))
+    unknowns = (*_unknowns(design), *(u for u in design.shop.unknowns if u.kind == "warm_bar"))
     own, shared = _split(design, [u for u in unknowns if u.kind != "drift"])
     drifts = [replace(u, spread=DRIFT) for u in unknowns if u.kind == "drift"]
     runs = _runs(design, own, [*drifts, *(u for u in design.shop.unknowns if u.kind == "creep")])
@@ -104,7 +104,7 @@ def flat_ground(design: Design, left_out: Sequence[str] = ()) -> Ground:
 def stated_ground(design: Design) -> Ground:
     """Unknowns of instruments have the spread of the shop, or what is usual, so that one that is far off shows."""
     there = {(u.kind, u.scope): u.spread for u in design.shop.unknowns}
-    unknowns = every_unknown(design.machine, design.plan)
+    unknowns = _unknowns(design)
     spread = {id(u): there.get((u.kind, u.scope), SPREADS[u.kind.split("_")[0]]) for u in unknowns}
     own, shared = _split(design, unknowns)
     normal = [Unknown(u.kind, u.scope, spread[id(u)], u.rows, u.column) for of in own.values() for u in of]
@@ -117,6 +117,16 @@ def stated_ground(design: Design) -> Ground:
     pseudo = len(shared)
     blank = Ground(design, runs, blank.instruments, blank.q, pseudo)
     return _ground(blank, np.vstack([instruments, weights]), np.vstack([curves, np.zeros((pseudo, curves.shape[1]))]))
+
+
+def _unknowns(design: Design) -> list[Unknown]:
+    """Of a bar also the zero of each run: no shop resets it between two runs, and nobody who sees readings knows."""
+    plan, found = design.plan, list(every_unknown(design.machine, design.plan))
+    for index, run in enumerate(plan.runs):
+        if run.instrument == "ballbar":
+            rows = plan.rows(index)
+            found.append(Unknown("zero", run.id, SPREADS["zero"], rows, np.ones(len(rows))))
+    return found
 
 
 def _ground(blank: Ground, instruments: Array, curves: Array) -> Ground:
@@ -278,6 +288,11 @@ def limit_of(ground: Ground, signature: Array, name: Name, pitch: float = 0.0) -
     forms = rivals_of(ground, fine(name, pitch))
     own = forms.nearest(left)[0] if forms.blocks else 1.0
     alike, rival, _ = ground.rivals.nearest(left, name)
+    for other in dict.fromkeys(one for one, _ in ground.rivals.blocks if one.kind in SEARCHED and one != name):
+        if other.component == name.component:  # a rival, too, is at its best: a coarse grid would call it told apart
+            alike, rival = max(
+                (alike, rival), rivals_of(ground, fine(other, 0.0)).nearest(left)[:2], key=lambda one: one[0]
+            )
     if pitch:
         of_pitch = rivals_of(ground, Search(pitches=(pitch,)))
         alike, rival = max((alike, rival), of_pitch.nearest(left, name)[:2], key=lambda one: one[0])

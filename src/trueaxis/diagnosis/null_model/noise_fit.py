@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import block_diag
-from scipy.optimize import minimize
 
 from trueaxis.diagnosis.null_model.base import ANYWHERE
+from trueaxis.diagnosis.null_model.descent import Here, least
 from trueaxis.diagnosis.null_model.noise_blocks import Block, Part, Shapes
 from trueaxis.diagnosis.null_model.noise_law import Found, Guess, Law
 from trueaxis.diagnosis.null_model.noise_precision import Precision, factor_less_misfit, precision_of, solved
@@ -20,10 +20,12 @@ from trueaxis.diagnosis.result import FloatArray
 from trueaxis.estimation.factors import few_of
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
-# the base, places of its balls; all but the time constant, in typical steps, as shares of a first guess
-START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3, 1.0)
-BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6), (0.0, 1e6))
+# the base, places of its balls; the time constant in typical steps, sizes as shares of a first guess, squared but for
+# that of white noise: a variance of zero is no point from which nothing leads away
+START = (-0.3, 0.16, np.log(8.0), 0.09, 0.09, 0.09, 1.0)
+BOUNDS = ((-7.0, 3.0), (0.0, 400.0), (0.0, np.log(64.0)), (0.0, 1e4), (0.0, 1e4), (0.0, 1e12), (0.0, 1e12))
 PER, AGE, MISFIT, BALLS = len(START), 2, 5, 6
+SQUARES = (1, 3, 4, MISFIT, BALLS)
 # before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
 # units of the first guess; places of balls in mm, as far as their class may be wrong
 USUAL = np.log(8.0)
@@ -31,7 +33,6 @@ SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4, BALLS)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
 NOISIEST = 3.0 * UNEVEN  # of this logarithm: what is left beyond is no noise
-STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
@@ -74,6 +75,17 @@ class _Told:
         found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))
         return found
 
+    def changes(self, age: float) -> FloatArray:
+        """(n, PER): what a change of each of the same adds to the covariance, times the weighed readings."""
+        found, weighed = np.empty((self.weighed.size, PER)), self.weighed
+        found[:, 0] = 2.0 * self.white * weighed
+        for here, slow, shape in zip(self.part.runs, self.slow, self.shapes, strict=True):
+            each = (slow, shape.wander, shape.settle, shape.ball, slow * shape.gaps / age)
+            for place, of_change in zip((1, 3, 4, BALLS, AGE), each, strict=True):
+                found[here, place] = of_change @ weighed[here]
+        found[:, MISFIT] = self.part.repeated @ (weighed @ self.part.repeated) + self.part.alone * weighed
+        return found
+
     def of_scale(self) -> FloatArray:
         """(n,): of the same by the logarithm of the white noise of each reading."""
         return np.asarray(self.white * (self.precision.diagonal() - self.weighed**2))
@@ -94,35 +106,41 @@ class Likelihood:
         self.spread = np.tile(SPREAD, (self.units.size, 1))
         self.spread[:, BALLS] = ANYWHERE / self.units
 
-    def __call__(self, x: FloatArray) -> tuple[float, FloatArray]:
-        """With the prior of time constants and scales, and the slopes."""
-        usual, spread = np.zeros(x.size), np.full(x.size, UNEVEN)
+    def __call__(self, x: FloatArray) -> Here:
+        """With the prior of time constants and scales, of squares exponential."""
+        usual, spread, of_square = np.zeros(x.size), np.full(x.size, UNEVEN), np.zeros(x.size, dtype=bool)
         usual[AGE : self.count : PER] = USUAL
         spread[: self.count] = self.spread.ravel()
-        apart = (x - usual) / spread
-        slope = apart / spread
+        of_square[: self.count].reshape(-1, PER)[:, SQUARES] = True
+        apart = np.where(of_square, np.sqrt(np.abs(x)), x - usual) / spread
+        slope = np.where(of_square, 0.5 / spread, apart) / spread
+        information = np.diag(np.where(of_square, 0.0, spread**-2.0))
         value, told = self.told(x)
         sizes = self.sizes(x)
         for one in told:
-            unit = 2.0 * self.units[one.number]
-            _, slow, age, *others = sizes[one.number]
-            by_size = [1.0, unit * slow, slow**2, *(unit * other for other in others)]
-            of_scale = one.of_scale()
+            number, runs = one.number, np.unique(one.part.place)
+            by_size = np.full(PER, self.units[number] ** 2)
+            by_size[0], by_size[AGE] = 1.0, sizes[number, 1] ** 2
+            age, of_scale = float(sizes[number, AGE]), one.of_scale()
             slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
-            slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
-        return value + 0.5 * float(apart @ apart), slope
+            slope[PER * number : PER * (number + 1)] += by_size * one.slopes(age, of_scale)
+            changes = by_size * one.changes(age)
+            changes = np.hstack([changes, changes[:, :1] * (one.part.place[:, np.newaxis] == runs)])
+            mine = np.concatenate([PER * number + np.arange(PER), self.count + runs])
+            information[np.ix_(mine, mine)] += 0.5 * changes.T @ (one.precision @ changes)
+        return Here(value + 0.5 * float(apart @ apart), slope, information)
 
     def sizes(self, x: FloatArray) -> FloatArray:
         """(instruments, PER): standard deviations, mm, and the time constant."""
-        found = x[: self.count].reshape(-1, PER) * self.units[:, np.newaxis]
+        found = np.sqrt(np.abs(x[: self.count].reshape(-1, PER))) * self.units[:, np.newaxis]
         found[:, 0] = self.units * np.exp(x[: self.count : PER])
         found[:, AGE] = np.exp(x[AGE : self.count : PER])
         return np.asarray(found)
 
     def parameters(self, found: Found) -> FloatArray:
-        """Where sizes and scales are as found; no size is zero, where the slope tells nothing."""
-        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST)
-        relative[:, 0], relative[:, AGE] = np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
+        """Where sizes and scales are as found; no size is so small that it would take long to grow."""
+        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST) ** 2
+        relative[:, 0], relative[:, AGE] = 0.5 * np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
         within = np.clip(relative, *np.transpose(BOUNDS))
         return np.concatenate([within.ravel(), np.clip(np.log(found.scales), -FARTHEST, FARTHEST)])
 
@@ -186,22 +204,18 @@ def restricted(
     of = Likelihood(blocks[0], instruments, first)
     start = np.concatenate([np.tile(START, len(first)), np.zeros(len(instruments))])
     bounds = [*BOUNDS * len(first), *[(-FARTHEST, FARTHEST)] * len(instruments)]
-    start[MISFIT : of.count : PER] = [one.misfit for one in first.values()]
+    start[MISFIT : of.count : PER] = [one.misfit**2 for one in first.values()]
     if before is not None and before.scales.size == len(instruments):
         start = of.parameters(before)
     for number, one in enumerate(first.values()):
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    best = minimize(
-        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
-    )
-    laws, information = _averaged(of, list(first), best.x)
+    best, unlikely = least(of, start, *np.transpose(bounds))
+    laws, information = _averaged(of, list(first), best)
     for block in blocks[1:]:
-        information += _scaled(Likelihood(block, instruments, first), best.x)
-    return laws, Found(
-        sizes=of.sizes(best.x), scales=np.exp(best.x[of.count :]), told=information, unlikely=float(best.fun)
-    )
+        information += _scaled(Likelihood(block, instruments, first), best)
+    return laws, Found(sizes=of.sizes(best), scales=np.exp(best[of.count :]), told=information, unlikely=unlikely)
 
 
 def _scaled(of: Likelihood, x: FloatArray) -> FloatArray:

@@ -11,9 +11,11 @@ from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.reversals import beside_reversals
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 
+REACH = 2e-3  # mm or deg, that an axis goes beyond a reversal before all of its play is taken up: a few micrometres
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
 
 
@@ -81,8 +83,7 @@ class Rows:
 def rows_of(data: MeasuredData) -> Rows:
     """The readings taken; plan rows, and rows in which a moving axis has come from nowhere, are left out.
 
-    So are the two samples of a ball bar beside each reversal of an axis: the very sample at which the direction
-    changes is anybody's choice.
+    So are samples of a ball bar that are so near to a reversal of an axis that their direction is anybody's choice.
     """
     readings, runs = data.readings, data.setup.runs
     taken = np.flatnonzero(~readings.planned)
@@ -99,9 +100,8 @@ def rows_of(data: MeasuredData) -> Rows:
         told = moving & (directions[:, mine] != 0.0).any(axis=1)
         keep[mine] &= (directions[told, mine] != 0.0).all(axis=0)
         if runs[index].instrument == "ballbar":
-            change = (np.diff(directions[moving, mine], axis=1) != 0.0).any(axis=0)
-            keep[first : last - 1] &= ~change
-            keep[first + 1 : last] &= ~change
+            axes = [axis for axis, moves in zip(readings.axes, moving, strict=True) if moves]
+            keep[mine] &= ~beside_reversals(axes, directions[moving, mine], positions[moving, mine], REACH)
     setup = _setups(runs, run, positions)[run]
     everything = Rows(
         runs=tuple(runs),
