@@ -13,6 +13,7 @@ from trueaxis.measurement.context import context_of, path_velocity
 from trueaxis.measurement.reading_effects import polar_angle, reading_context_of
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.reversals import (
+    beside_reversals,
     distance_since,
     duration_by_feed,
     reversals_of_standing,
@@ -133,6 +134,44 @@ def test_a_ball_bar_turns_between_readings_where_the_circle_has_it(start: float,
     np.testing.assert_allclose(found.path_since[0, later], arc, atol=near)
     np.testing.assert_allclose(found.time_since[0, later], arc / 50.0, atol=0.01 / 50.0)
     np.testing.assert_allclose(found.since_reversal[0, later], 100.0 * (1.0 + np.cos(angle[later])), atol=0.01)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_only_samples_at_a_reversal_have_a_direction_that_is_anybodys_choice(seed: int) -> None:
+    """Of two laps of a circle: those that an axis takes within 1 um of where it turns have the direction before or
+    after by chance. They are found; those that are 0.1 mm from there or farther are not.
+    """
+    source = np.random.default_rng(seed)
+    count, radius = int(source.integers(9, 500)), float(source.uniform(30.0, 300.0))
+    start = float(source.choice([0.0, 0.25, source.uniform(0.0, 1.0)]))  # on a reversal, or anywhere
+    angle = 2.0 * np.pi * (start + np.arange(2 * count) / count) * source.choice([-1.0, 1.0])
+    path = radius * np.array([np.cos(angle), np.sin(angle)])
+    slope = np.sign(angle[-1] - angle[0]) * np.array([-np.sin(angle), np.cos(angle)])
+    off = radius - np.abs(path)  # from where the axis turns
+    chosen = np.where(off < 1e-3, source.choice([-1.0, 1.0], path.shape), np.sign(slope))
+    found = beside_reversals(("X", "Y"), chosen, path, 2e-3)
+    wrong = (chosen * slope < 0.0).any(axis=0)
+    wrong[[0, -1]] = False  # what is beyond the ends of a run, the run does not show
+    assert found[wrong].all()
+    assert not found[2:-2][(off > 0.1).all(axis=0)[2:-2]].any()
+
+
+def test_where_the_path_does_not_show_a_reversal_both_samples_beside_it_are_doubtful() -> None:
+    """X goes on for two samples after its direction has changed."""
+    path = np.array([np.arange(12.0), 0.1 * np.arange(12.0) ** 2])
+    directions = np.array([np.where(np.arange(12) < 6, 1.0, -1.0), np.ones(12)])
+    assert np.flatnonzero(beside_reversals(("X", "Y"), directions, path, 2e-3)).tolist() == [5, 6]
+
+
+@pytest.mark.parametrize("count", [8, 12, 36, 100])
+def test_an_axis_that_turns_halfway_between_two_samples_is_seen_to(count: int) -> None:
+    """There its velocity along the chord is zero, or what rounding leaves of it."""
+    angle = 2.0 * np.pi * (np.arange(2 * count) + 0.5) / count
+    path = 100.0 * np.array([np.cos(angle), np.sin(angle)])
+    directions = np.sign([-np.sin(angle), np.cos(angle)])
+    turned = reversals_on_the_way(("X", "Y"), directions, path)
+    np.testing.assert_allclose(turned.share[turned.row > 0], 0.5, atol=1e-6)
+    assert not beside_reversals(("X", "Y"), directions, path, 2e-3)[:-2].any()
 
 
 def test_nothing_tells_the_time_since_a_reversal_while_a_table_turns_alone() -> None:

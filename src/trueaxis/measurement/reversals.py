@@ -83,8 +83,8 @@ def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: Floa
 def beside_reversals(axes: Sequence[str], directions: FloatArray, path: FloatArray, reach: float) -> BoolArray:
     """(n,): readings on the way, of which it is anybody's choice on which side of a reversal they were taken.
 
-    They are those at which an axis is no farther than `reach`, mm or deg, from where it turned, those whose direction
-    is not that of the path there, and, where the path does not show where it turned, the two beside the change.
+    They are those at which an axis is no farther than `reach`, mm or deg, from where it turned, and those between there
+    and where its direction changes; where the path does not show where it turned, the two beside the change.
     """
     row, way = _changes(directions), _way(axes, path)
     found, last = np.zeros(way.size, dtype=bool), way.size - 1
@@ -132,7 +132,9 @@ def _turns(row: IntArray, directions: FloatArray, path: FloatArray, way: FloatAr
             late = turn >= 0 and velocity[after - 1] * directions[axis, after] <= 0.0
             at_once = turn <= 0 and not late  # before the middle of the first step
             one = after - 1 if late or at_once else after - 2
-            turned = velocity[one] * bent[one] > 0.0 if at_once else velocity[one] * velocity[one + 1] < 0.0
+            # of a chord about the very place where it turned the velocity may be 0
+            before = one - 1 if velocity[one] == 0.0 and one > 0 else one
+            turned = velocity[one] * bent[one] > 0.0 if at_once else velocity[before] * velocity[one + 1] < 0.0
             if turned:
                 at = float(min(middle[one] - velocity[one] / bent[one], way[after]))
                 gone = 0.5 * abs(float(bent[one])) * (float(way[after]) - at) ** 2
