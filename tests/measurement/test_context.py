@@ -252,6 +252,19 @@ def test_what_no_column_tells_is_unknown_but_axes_that_stand_have_no_velocity() 
     assert np.isnan(context.velocity[:, 2:]).all()
 
 
+@pytest.mark.parametrize("told", ["feed", "time"])
+@pytest.mark.parametrize("seed", range(4))
+def test_velocities_beside_a_gap_are_along_the_tangent_too(told: str, seed: int) -> None:
+    """Of samples that are left out here and there, at the ends of the run as well."""
+    kept = np.random.default_rng(seed).random(381) < 0.7
+    angle = np.linspace(0.2, 4.0, 381)[kept]
+    path = 50.0 * np.array([np.cos(angle), np.sin(angle), 0 * angle])
+    feed = np.full(angle.size, 1800.0 if told == "feed" else NAN)
+    time = angle * 50.0 / 30.0 if told == "time" else np.full(angle.size, NAN)
+    by_hand = 30.0 * np.array([-np.sin(angle), np.cos(angle), 0 * angle])
+    assert np.abs(path_velocity(AXES, path, feed, time) - by_hand).max() < 0.03
+
+
 @pytest.mark.parametrize("turn", [1.0, -1.0])
 @pytest.mark.parametrize("told", ["feed", "time"])
 def test_velocities_on_a_circle_are_along_its_tangent(turn: float, told: str) -> None:

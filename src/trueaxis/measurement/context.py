@@ -140,12 +140,13 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
 def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time: FloatArray) -> FloatArray:
     """(n_axes, n): velocity of each axis along a path of commanded positions, mm/s or deg/s.
 
-    path: (n_axes, n), in the order of reading, about evenly spaced; feed: (n,), mm/min, of the linear axes together;
+    path: (n_axes, n), in the order of reading; feed: (n,), mm/min, of the linear axes together;
     time: (n,), s, asked where the feed is NaN or a rotary axis turns: a control may mean the feed of the tool over the
     workpiece there. 0 where the path stands or turns back, NaN where neither is known.
     """
     linear = np.array([axis in "XYZ" for axis in axes])
-    steps, passed = _differences(path), _differences(time[np.newaxis])[0]
+    ways = np.linalg.norm(np.diff(path[linear], axis=1), axis=0)
+    steps, passed = _differences(path, ways), _differences(time[np.newaxis], ways)[0]
     length = np.linalg.norm(steps[linear], axis=0)
     standing = ~steps.any(axis=0)
     fed = (feed > 0.0) & ~(steps[~linear].any(axis=0) & (passed > 0.0))
@@ -155,15 +156,20 @@ def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time:
     return found
 
 
-def _differences(path: FloatArray) -> FloatArray:
-    """Differences over two steps, (k, n), exact for a parabola: central ones, and from three points at the ends."""
+def _differences(path: FloatArray, ways: FloatArray) -> FloatArray:
+    """Differences over two steps, (k, n), of what comes (k, n), exact for a parabola: central ones, and from three
+    points at the ends. ways: (n - 1,), mm, of each step; where the linear axes stand, steps count as even.
+    """
     count = path.shape[1]
     if count < 3:
         return np.repeat(2.0 * (path[:, -1:] - path[:, :1]), count, axis=1)
+    each = np.diff(path, axis=1)
+    uneven = (ways[:-1] > 0.0) & (ways[1:] > 0.0)
+    ratio = np.divide(ways[1:], ways[:-1], out=np.ones(count - 2), where=uneven)
     found = np.empty_like(path)
-    found[:, 1:-1] = path[:, 2:] - path[:, :-2]
-    found[:, 0] = -3.0 * path[:, 0] + 4.0 * path[:, 1] - path[:, 2]
-    found[:, -1] = 3.0 * path[:, -1] - 4.0 * path[:, -2] + path[:, -3]
+    found[:, 1:-1] = each[:, 1:] / ratio + each[:, :-1] * ratio
+    found[:, 0] = (2.0 + ratio[0]) * each[:, 0] - each[:, 1] / ratio[0]
+    found[:, -1] = (2.0 + 1.0 / ratio[-1]) * each[:, -1] - each[:, -2] * ratio[-1]
     return found
 
 

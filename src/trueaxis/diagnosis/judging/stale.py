@@ -22,6 +22,7 @@ from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
 CHANGED = 2.0  # standard uncertainties: from where to where a curve has changed
+BENDS = 25  # places on a curve, between any two of which it may have bent
 ALIKE = 2.0  # decades of likelihood within which another component may be the one that changed
 MOST_ALIKE = 4  # of these that are told
 
@@ -166,7 +167,8 @@ def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str,
 def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], name: str) -> Stale:
     """By how much values have changed where it is clearest, and from where to where by more than they are uncertain.
 
-    Where no place is certain, by how much the curve has bent: its slope is then not told from those of other runs.
+    Where no place is certain, by how much the curve has bent, from where to where: its slope, or more of it, is then
+    not told from those of other runs.
     """
     chosen = np.concatenate([asked.at[one] for one in sizes])
     expected = np.concatenate([np.full(asked.at[one].size, size) for one, size in sizes.items()])
@@ -177,12 +179,14 @@ def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], n
     value, u = curve @ coefficient[mine], np.linalg.norm(curve @ inverse[mine], axis=1)
     bent = at.size > 2 and not (np.abs(value) > CHANGED * u).any()
     if bent:
-        share = ((at - at[0]) / (at[-1] - at[0]))[:, np.newaxis]
-        curve = curve - (1.0 - share) * curve[0] - share * curve[-1]
-        value, u = curve @ coefficient[mine], np.linalg.norm(curve @ inverse[mine], axis=1)
-    peak = clearest(value, u)
-    far = np.flatnonzero(np.abs(value) > CHANGED * u)
-    first, last = (far[0], far[-1]) if far.size else (peak, peak)
+        ends, bends = _bends(at, curve)
+        value, u = bends @ coefficient[mine], np.linalg.norm(bends @ inverse[mine], axis=1)
+        peak = clearest(value, u)
+        first, last = ends[peak].tolist()
+    else:
+        peak = clearest(value, u)
+        far = np.flatnonzero(np.abs(value) > CHANGED * u)
+        first, last = (int(far[0]), int(far[-1])) if far.size else (peak, peak)
     others = {one: size for one, size in sizes.items() if one != name}
     return Stale(
         component=name,
@@ -195,6 +199,19 @@ def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], n
         bent=bent,
         alike=_alike(asked, others, name),
     )
+
+
+def _bends(at: FloatArray, curve: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Places (p, 2) of the ends of straight lines of many lengths, and (p, k): by the coefficients of a curve (m, k),
+    how far it is from each of them halfway.
+    """
+    some = np.unique(np.round(np.linspace(0, at.size - 1, min(BENDS, at.size))).astype(np.int64))
+    first, last = np.triu_indices(some.size, 2)
+    even = (last - first) % 2 == 0
+    ends = some[np.stack([first, last], axis=1)[even]]
+    middle = some[(first + last)[even] // 2]
+    share = ((at[middle] - at[ends[:, 0]]) / (at[ends[:, 1]] - at[ends[:, 0]]))[:, np.newaxis]
+    return ends, curve[middle] - (1.0 - share) * curve[ends[:, 0]] - share * curve[ends[:, 1]]
 
 
 def _alike(asked: _Asked, others: Mapping[str, float], name: str) -> tuple[str, ...]:
