@@ -35,6 +35,7 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.model import MachineModel
 
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
+LOWER = 0.1  # the same beside what that search found, from which it is done a third time
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -193,6 +194,11 @@ def _beside_causes(
         if causes or anew[3]:
             null, ground, found, causes = anew
             break
+    if causes:  # the first noise may still have held much of them
+        known, fresh = _noise_beside(ground, null, found.causes, options)
+        if _changed(null.noise, fresh.noise, LOWER):
+            anew = _searched(readings, free, fresh, options, (*standing, *known), found.causes)
+            null, ground, found, causes = anew if anew[3] else (null, ground, found, causes)
     while len(causes) < MOST_CAUSES and (further := in_noise_of_a_run(ground, found)):
         tried = (*found.causes, further)
         known, fresh = _noise_beside(ground, null, tried, options)
@@ -250,10 +256,10 @@ def _given(null: Null, model: MachineModel, options: DiagnoseOptions) -> Null:
     return replace(null, given=given_by_chance(model, null.base, options.covariance))
 
 
-def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
+def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf], share: float = AGAIN) -> bool:
     pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
     pairs += [(_whole(one), _whole(other)) for one, other in zip(before, after, strict=True)]
-    return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
+    return any(abs(one - other) > share * max(one, other) for one, other in pairs)
 
 
 def _whole(one: NoiseOf) -> float:

@@ -16,7 +16,9 @@ from trueaxis.model.context import Context
 PITCH_MM = 6.0  # shortest pitch on linear axes so long that it is the shorter: screws are no coarser for being long
 SHORTEST_MM = 2.0  # pitch of the finest screws: an alias of any longer one may be taken for another
 FEWEST_PERIODS = 2.0
-TIMES = 6  # time constants, from a twentieth of the time covered to twice it
+# time constants, from the time by which a twentieth of the readings were taken to twice the time covered: of a day, or
+# of several with pauses, in the first hour of which a machine warms up; so many times apart
+EARLY, APART = 0.05, 2.1
 # what a spike at a reversal dies away over: from a two-thousandth to a twentieth of what passes until the next
 WAYS = 6
 BETWEEN = 9  # points of the finer grid between the neighbours of a point
@@ -122,8 +124,11 @@ def _values(parameter: Parameter, covered: Covered, fineness: Fineness) -> list[
     if parameter.grid == "moment":
         return moments(known, fineness) or [float(np.mean(known)) if known.size else 0.0]
     if parameter.grid == "time":
-        span = float(np.ptp(known)) if known.size else 0.0
-        return _geometric(span / 20.0, 2.0 * span, TIMES)
+        since = known - known.min(initial=np.inf) if known.size else np.zeros(1)
+        longest, early = 2.0 * float(since.max()), float(np.quantile(since, EARLY))
+        shortest = early or longest / 40.0  # of a single moment, or few
+        count = 1 + int(np.ceil(np.log(longest / shortest) / np.log(APART))) if longest > 0.0 else 1
+        return _geometric(shortest, longest, count)
     return list(parameter.values) if parameter.grid == "given" else _pitches(covered, fineness)
 
 
