@@ -109,7 +109,7 @@ def test_one_component_that_changed_is_one_entry(seed: int) -> None:
     middle, half = 0.5 * (one.last + one.first), 0.5 * (one.last - one.first)
 
     def true(at: float) -> float:
-        return 8e-3 * 0.5 * (1.0 + np.cos(np.pi * min(abs(at - 420.0) / 300.0, 1.0)))
+        return 8e-3 * 0.5 * (1.0 + float(np.cos(np.pi * min(abs(at - 420.0) / 300.0, 1.0))))
 
     expected = true(middle) - 0.5 * (true(middle - half) + true(middle + half))
     assert abs(one.value) > 4.0 * one.u

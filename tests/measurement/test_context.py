@@ -153,7 +153,8 @@ def test_only_samples_at_a_reversal_have_a_direction_that_is_anybodys_choice(see
     wrong = (chosen * slope < 0.0).any(axis=0)
     wrong[[0, -1]] = False  # what is beyond the ends of a run, the run does not show
     assert found[wrong].all()
-    assert not found[2:-2][(off > 0.1).all(axis=0)[2:-2]].any()
+    apart = np.min(off, axis=0) > 0.1
+    assert not (found & apart)[2:-2].any()
 
 
 def test_where_the_path_does_not_show_a_reversal_both_samples_beside_it_are_doubtful() -> None:

@@ -153,7 +153,7 @@ class Whitening:
         ratio = below / root
         # diagonal of (L L')^-1, d_k = root_k^-2 + ratio_k^2 d_k+1: a triangle with one band, solved as such
         band = np.vstack([np.append(0.0, -(ratio[:-1] ** 2)), np.ones(root.size)])
-        inverse = dtbtrs(band, (root**-2.0)[:, np.newaxis], uplo="U")[0][:, 0]
+        inverse = np.asarray(dtbtrs(band, (root**-2.0)[:, np.newaxis], uplo="U")[0], dtype=np.float64)[:, 0]
         beside = -ratio[:-1] * inverse[1:]  # its first subdiagonal
         found = inverse.copy()
         found[:-1] += self._kept[1:] ** 2 * inverse[1:] - 2.0 * self._kept[1:] * beside
