@@ -63,7 +63,7 @@ def set_up(lock: Path) -> None:
 
 
 def run_tests(rest: list[str]) -> int:
-    """With arguments: pytest with them. Without: the fast tests, which are to cover the code, then the slow ones."""
+    """With arguments: pytest with them. Without: all tests, which are to cover the code (tests/covered.py)."""
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
@@ -71,18 +71,13 @@ def run_tests(rest: list[str]) -> int:
     # than there are processors: there is always one that waits, for a simulator or a process.
     workers = str((os.cpu_count() or 1) + 1)
     parallel = ("-n", workers, "--dist", "loadfile", "--no-loadscope-reorder", "-q", "--durations", "25")
-    covered = ("--cov", "--cov-report=")  # `coverage report` then says what is not; pyproject.toml how much has to be
-    return run(*pytest, *parallel, "-m", "not slow", *covered) or run(*pytest, *parallel, "-m", "slow", *with_slow())
+    return run(*pytest, *parallel, PYTEST_PLUGINS="tests.covered")
 
 
-def with_slow() -> list[Path]:
-    """The few files of tests that have slow ones: no worker needs to import the others once more."""
-    return [path for path in sorted(HERE.glob("tests/**/test_*.py")) if "mark.slow" in path.read_text("utf-8")]
-
-
-def run(*command: object) -> int:
-    """Run in this folder; its exit code."""
-    return subprocess.run([str(part) for part in command], cwd=HERE, env=ENVIRONMENT, check=False).returncode
+def run(*command: object, **environment: str) -> int:
+    """Run in this folder, with more in its environment; its exit code."""
+    words = [str(part) for part in command]
+    return subprocess.run(words, cwd=HERE, env=ENVIRONMENT | environment, check=False).returncode
 
 
 if __name__ == "__main__":

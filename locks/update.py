@@ -13,7 +13,7 @@ HERE = Path(__file__).parent
 GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint", "docs"]}
 EXTRAS: dict[str, list[str]] = {"run.txt": [], "dev.txt": ["cluster", "completion"]}  # what tests need beside
 # The lock names no index: whoever installs from it brings their own. Extras are pinned, too: pip before 23.3 takes the
-# newest release of "coverage[toml]" where the lock has "coverage" alone, and then refuses it for want of a hash.
+# newest release of "optype[numpy]" where the lock has "optype" alone, and then refuses it for want of a hash.
 OPTIONS = "--generate-hashes --no-header --no-annotate --no-strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"
 

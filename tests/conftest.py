@@ -36,43 +36,11 @@ LONG = (
     "jobs/test_draws.py",
 )
 
-# Files and folders whose code other tests run as well: without tracing they take half the time or less, and together
-# lose less than one line or branch in a hundred.
-UNTRACED = (
-    "cli/test_angle.py",
-    "cli/test_compensate_reliance.py",
-    "compensation/test_five_axes.py",
-    "compensation/test_fuzz.py",
-    "derivation/test_ballbar.py",
-    "derivation/test_exact_walk.py",
-    "derivation/test_five_axis_topologies.py",
-    "derivation/test_rotations.py",
-    "diagnosis/test_misfit.py",
-    "diagnosis/test_roughness.py",
-    "diagnosis/test_scan.py",
-    "diagnosis/test_threads.py",
-    "estimation/test_estimate.py",
-    "estimation/test_left_out.py",
-    "estimation/test_misread.py",
-    "estimation/test_orders.py",
-    "fuzz/test_fuzz.py",
-    "hidden_effects/test_generator.py",
-    "identification/test_fit_quality.py",
-    "identification/test_stylus.py",
-    "page/test_formulas.py",
-    "test_data_not_run.py",
-    "worlds",
-)
-
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Files that take long first; tests of a file stay together and in their order."""
     place = {ROOT / "tests" / name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: place.get(item.path, len(LONG)))
-    untraced = {ROOT / "tests" / name for name in UNTRACED}
-    for item in items:
-        if untraced.intersection((item.path, *item.path.parents)):
-            item.add_marker("no_cover")
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

@@ -213,7 +213,7 @@ def test_the_lines_of_thousands_of_runs_take_no_time() -> None:
         ("a = 1\n\n [ " + " . ".join(['"a"'] * 100_000) + "]", "line 3", "a dotted key of too many parts"),
         ("a = 1\nb = { c = 2, " + ".".join("a" * 100_000) + " = 1 }", "line 2", "a dotted key of too many parts"),
         ('a = """\n\n"""\n' + ".".join(["'a.b'"] * 51) + " = 1", "line 4", "a dotted key of too many parts"),
-        ('"a\\' * 200_000, "", "is not TOML: "),  # under coverage the parser's time grows with the square of it
+        ('"a\\' * 200_000, "", "is not TOML: "),  # where lines are traced, its time grows with the square
         ("a = " + "[" * 10_000 + "]" * 10_000, "", "nested too deeply"),
         ("a = " + "{a=" * 10_000 + "1" + "}" * 10_000, "", "nested too deeply"),
         ("a" * 1_000_000 + " = 1\n" + "a" * 1_000_000 + " = 2\n", "line 2", "is not TOML: Cannot overwrite"),
