@@ -74,6 +74,12 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
+def values_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For what looks at values, which an estimate has before it looks for runs that were misread: that takes longer."""
+    monkeypatch.setattr("trueaxis.estimation.estimate._wrong", lambda *_: ({}, []))
+
+
+@pytest.fixture
 def without_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
     """For what looks at no page and no kernels of a diagnosis: drawing and deriving may take longer than it does."""
     from trueaxis.reporting.diagnosis.picture import Pictures

@@ -18,6 +18,7 @@ from trueaxis.measurement.setup import Device
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 
+pytestmark = pytest.mark.usefixtures("values_alone")
 SMALL = 36  # a design of three axes, 20 runs, ball bars alone, with outliers
 
 

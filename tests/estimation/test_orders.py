@@ -18,6 +18,7 @@ from trueaxis.estimation.orders import HIGHEST_DEGREE, higher_degrees
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.model.bases import travel_basis
 
+pytestmark = pytest.mark.usefixtures("values_alone")
 SEED, MACHINE = 7003, 7003000  # lasers of 16 targets and a noise of 0.1 um; EZZ is 117 um, others 5 to 20
 
 

@@ -14,6 +14,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
 
+pytestmark = pytest.mark.usefixtures("values_alone")
 SEED, MACHINE = 11, 11000  # X, Y, Z, B, C; a probe with two styluses on two spheres, 6 runs of 18
 LONGER = 0.05  # mm
 

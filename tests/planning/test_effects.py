@@ -85,6 +85,7 @@ def u_of(one: ExpectedEffect) -> dict[str, float]:
     return {parameter.name: np.nan if parameter.u is None else parameter.u for parameter in one.parameters}
 
 
+@pytest.mark.usefixtures("values_alone")
 def test_u_is_that_of_estimates_from_readings(clean: Observations) -> None:
     """Machines drawn from the prior, effects by terms of the independent generator; the estimate finds the sizes."""
     terms: dict[str, Term] = {"EZZ": cyclic}

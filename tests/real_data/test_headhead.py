@@ -63,12 +63,14 @@ def test_curves_of_c_predict_left_out_poses_better_and_those_of_b_do_not() -> No
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("values_alone")
 def test_the_estimate_predicts_left_out_poses_five_times_better() -> None:
     """All errors free, with sizes that the readings choose, where least squares had to choose what is free."""
     machine, observed = model(), probe_data()
     assert left_out_of_estimate(machine, observed, range(1, 32, 6)) < 0.121 / 3.0
 
 
+@pytest.mark.usefixtures("values_alone")
 def test_the_sizes_of_the_spec_are_off_as_the_page_says() -> None:
     """Its "eight times too small", "three times too large" are notes of `identify`, which come from these factors."""
     found = estimate(model(), probe_data(), ErrorValues(machine="headhead_mill", parameters=DIMENSIONS)).factors
