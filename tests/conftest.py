@@ -10,30 +10,40 @@ from tests.kept import derived
 from tests.machines import ROOT
 from trueaxis.diagnosis.result import Diagnosis
 
-# Files that take more than 20 s, the longest first: one that begins last keeps all other workers waiting.
+# Files that take some 20 s of a processor or more, the longest first: one that begins last keeps the others waiting.
 LONG = (
     "hidden_effects/test_fast_set.py",
-    "cli/test_diagnose.py",
     "diagnosis/test_page.py",
     "diagnosis/test_rivals.py",
     "test_stopping.py",
+    "cli/test_diagnose.py",
     "controllers/test_linuxcnc_simulator.py",
+    "estimation/test_misread.py",
+    "worlds/diagnosis/test_fast_set.py",
     "estimation/test_effects.py",
-    "measurement/test_readings.py",
-    "fuzz/test_fuzz.py",
-    "jobs/test_fleet.py",
+    "diagnosis/test_misfit.py",
+    "diagnosis/test_spoilt_values.py",
     "demo/test_demo.py",
+    "jobs/test_fleet.py",
+    "diagnosis/test_extend.py",
+    "worlds/diagnosis/test_campaign.py",
+    "derivation/test_five_axis_topologies.py",
+    "estimation/test_estimate.py",
+    "fuzz/test_fuzz.py",
+    "estimation/test_left_out.py",
+    "jobs/test_notebooks.py",
+    "identification/test_fit_quality.py",
+    "diagnosis/test_next_runs.py",
     "test_data_not_run.py",
     "test_told.py",
     "test_output_files.py",
-    "worlds/diagnosis/test_fast_set.py",
-    "estimation/test_misread.py",
-    "diagnosis/test_next_runs.py",
-    "compensation/test_effects.py",
     "worlds/test_oracle.py",
-    "worlds/diagnosis/test_campaign.py",
-    "estimation/test_left_out.py",
-    "jobs/test_draws.py",
+    "derivation/test_exact_walk.py",
+    "measurement/test_readings.py",
+    "identification/test_stylus.py",
+    "derivation/test_rotations.py",
+    "diagnosis/test_checks.py",
+    "compensation/test_effects.py",
 )
 
 
