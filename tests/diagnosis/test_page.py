@@ -154,8 +154,8 @@ def test_other_data_get_the_verdict_of_the_table(
     figures |= {f"{1e3 * abs(one['value']):.2f}" for one in told["stale"]}
     assert {text for text in NUMBER.findall(said) if "." in text} <= figures
     if expected == "recalibrate":
-        assert len(told["stale"]) == 9
-        assert "nine errors have changed, EZZ by" in said
+        assert len(told["stale"]) == 10
+        assert "ten errors have changed, EZZ by" in said
         assert told["stale"][0]["component"] == "EZZ"
         (eyy,) = [one for one in told["stale"] if one["component"] == "EYY"]
         assert f"EYY by {1e3 * abs(eyy['value']):.2f} um" in said
