@@ -76,18 +76,42 @@ class KlartextControl(Motions):
         201 (reaming) goes in one step; 201, 203 and 205 come back to the clearance at a feed, 203 between pecks too.
         """
         depth, clearance, bottom = q[203], q[203] + q[200], q[203] + q[201]
-        back, above = q.get(208, 99999.0) == 99999.0, q[258] if q[0] == 205.0 else q[200]
+        back = q.get(208, 99999.0) == 99999.0
         self.deepen(clearance, True)
-        while q[0] != 201.0 and depth - q[202] > bottom:
-            depth -= q[202]
-            self.deepen(depth, False)
-            self.deepen(clearance, back or q[0] != 203.0)
-            self.deepen(depth + above, True)
+        ends, infeed = [], q.get(202, 0.0)
+        while q[0] != 201.0 and depth - infeed > bottom:
+            depth -= infeed
+            ends.append(depth)
+            infeed = max(infeed - q.get(212, 0.0), q.get(205, 0.0)) if q.get(212, 0.0) else infeed
+        unbroken, begin = 0, q[203]
+        for number, end in enumerate(ends):
+            self.break_chips(begin, end, q)
+            self.deepen(end, False)
+            unbroken += 1
+            if unbroken <= q.get(213, 0.0):  # a chip is broken instead
+                self.deepen(end + q[256], True)
+            else:
+                unbroken = 0
+                self.deepen(clearance, back or q[0] != 203.0)
+                above = q[200]
+                if q[0] == 205.0:  # from the upper to the lower distance, evenly
+                    above = q[258] + (q[259] - q[258]) * (number / (len(ends) - 1) if number else 0.0)
+                self.deepen(end + above, not q.get(373, 0.0))
+            begin = end
+        self.break_chips(begin, bottom, q)
         self.deepen(bottom, False)
         if not back:
             self.deepen(clearance, False)
         if back or q[204] > q[200]:
             self.deepen(q[203] + max(q[200], q[204]), True)
+
+    def break_chips(self, begin: float, end: float, q: Mapping[int, float]) -> None:
+        """Within an infeed, each Q257 of its way."""
+        count = 1
+        while q.get(257, 0.0) and begin - count * q[257] > end + 1e-9:
+            self.deepen(begin - count * q[257], False)
+            self.deepen(begin - count * q[257] + q[256], True)
+            count += 1
 
     def deepen(self, value: float, rapid: bool) -> None:
         self.move([[*self.at[:2], value * self.unit + self.shift(2, False)]], rapid)

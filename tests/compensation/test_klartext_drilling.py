@@ -1,4 +1,4 @@
-"""CYCL DEF 200 of Heidenhain: its holes are written out where it is called."""
+"""Drilling cycles of Heidenhain: their holes are written out where they are called."""
 
 import re
 from pathlib import Path
@@ -79,6 +79,16 @@ def test_holes_are_right_along_the_path(tmp_path: Path, peck: str, second: str, 
         (REAMING.replace("Q204=50", "Q204=2"), {"150": 1, "500": 1}), (UNIVERSAL, {"150": 3, "900": 3}),
         (UNIVERSAL.replace("Q208=900", "Q208=+99999"), {"150": 3}), (PECKING, {"150": 4}),
         (PECKING.replace("Q379=0", "Q379=0 ~\nQ208=700"), {"150": 4, "700": 1}),
+        (PECKING.replace("Q379=0", "Q379=0 ~\nQ373=450"), {"150": 4, "450": 3}),
+        # chips broken: in 203 as often as Q213 says, then out of the hole; in 205 each Q257 within Q202
+        (UNIVERSAL.replace("Q213=0", "Q213=1").replace("Q202=8", "Q202=3"), {"150": 7, "900": 4}),
+        (UNIVERSAL.replace("Q213=0", "Q213=9"), {"150": 3, "900": 1}),
+        (PECKING.replace("Q257=0", "Q257=2.5"), {"150": 10}),
+        # each peck smaller: 6, 5, 4, 3 and the rest
+        (PECKING.replace("Q212=0", "Q212=1"), {"150": 5}),
+        (UNIVERSAL.replace("Q212=0", "Q212=2").replace("Q213=0", "Q213=2"), {"150": 4, "900": 2}),
+        # as Autodesk's posts write it
+        (PECKING.replace("Q259=0.4", "Q259=1").replace("Q257=0", "Q257=5"), {"150": 7}),
     ],
 )  # fmt: skip
 def test_other_drilling_cycles(tmp_path: Path, cycle: str, feeds: dict[str, int]) -> None:
@@ -129,10 +139,10 @@ def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
             CYCLE.format(peck=9, second=9) + "CYCL DEF 207 TAPPING~\n Q200=2\nCYCL CALL M3",
             "CYCL DEF 207 is called, whose",
         ),
-        (UNIVERSAL.replace("Q213=0", "Q213=2") + "CYCL CALL", "with Q213, which breaks chips"),
-        (UNIVERSAL.replace("Q212=0", "Q212=0.5") + "CYCL CALL", "Q212, which makes each plunging depth"),
-        (PECKING.replace("Q257=0", "Q257=3") + "CYCL CALL", "Q257, which breaks chips"),
-        (PECKING.replace("Q259=0.4", "Q259=0.5") + "CYCL CALL", "Q259 other than Q258"),
+        (UNIVERSAL.replace("Q213=0", "Q213=1.5") + "CYCL CALL", "with Q213, a number of breaks"),
+        (PECKING.replace("Q212=0", "Q212=2").replace("Q205=3", "Q205=0") + "CYCL CALL", "more than 10000 pecks"),
+        (PECKING.replace("Q257=0", "Q257=0.001") + "CYCL CALL", "more than 10000 pecks"),
+        (PECKING.replace("Q256=0.2", "Q256=-0.2") + "CYCL CALL", "with Q256 below 0"),
         (PECKING.replace("Q379=0", "Q379=3") + "CYCL CALL", "Q379, which begins in a hole"),
         (UNIVERSAL + "CYCL CALL POS X+1 Y+2 FMAX", "CYCL CALL POS with other words"),
         (UNIVERSAL + "CYCL CALL POS X+1 Y+2 IZ+0 FMAX", "CYCL CALL POS with other words"),
@@ -151,4 +161,4 @@ def test_calls_that_are_not_followed_are_named(tmp_path: Path, blocks: str, word
         compensated(tmp_path, f"{HEAD}L X+0 Y+0 Z+50 R0 FMAX\n{blocks}\nEND PGM D MM\n")
     assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
     if "M99 calls" in words:
-        assert "CYCL DEF 200, 201, 203 or 205 with numbers" in caught.value.faults[0].remedy
+        assert "CYCL DEF 200, 201, 203 and 205 with numbers" in caught.value.faults[0].remedy

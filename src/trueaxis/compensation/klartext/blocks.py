@@ -7,12 +7,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.moves import Notes
 from trueaxis.compensation.nc import g_codes as codes
-from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.lexer import NUMBER, decimal_comma, decimals_of
-from trueaxis.compensation.settings import Settings
 
 _HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")
 _VERB = re.compile(r"(LP|LN|LT|L|CC|CP|CR|CTP|CT|C)(?=[ \t]|$|[XYZ][-+.0-9])", re.IGNORECASE)
@@ -244,18 +240,3 @@ def _shift(values: str) -> Other:
     if rest and (shift or re.search(r"\d", rest)):
         return Other(problem=f"{rest[:20]!r} is no value of a datum shift", remedy="as X+10.5")
     return Other(shift=shift, added=frozenset(added))
-
-
-def known_codes(number: int, block: KlartextBlock, settings: Settings, faults: FaultLog, notes: Notes) -> None:
-    """Faults of M codes that are not known, and what the user vouches for."""
-    if block.retracts and block.coordinates:
-        faults.add(number, "M140 and a position in one block", "a block for each")
-    for code in block.codes:
-        if code == MACHINE_COORDINATES or code in m_codes.POINT_CONTROL["heidenhain"]:
-            continue
-        if code == RETRACT and block.retracts:
-            continue
-        if problem := m_codes.problem_of(code, settings.pass_m, "heidenhain"):
-            faults.add(number, *problem)
-        elif m_codes.vouched_for(code, settings.pass_m):
-            notes.pass_code(number, code)

@@ -1,9 +1,13 @@
 """What the drilling cycles of Heidenhain Klartext ask for: CYCL DEF 200 (drilling), 201 (reaming), 203 (universal
 drilling) and 205 (universal pecking) with numbers, and the blocks that call them.
+
+Names and effects of the Q are those of HEIDENHAIN's User's Manual TNC 426/430, 8.3 (Q202, Q256, Q257, Q258: page 244
+there); which Q a cycle has, and in which values they come, also of what CAM systems write.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import islice
 from typing import NamedTuple
 
 from trueaxis.compensation.klartext.blocks import head_of
@@ -16,7 +20,6 @@ _CALL = re.compile(r"[ \t]*(?:CYCLE?[ \t]+CALL(?=[ \t]*(?:$|;|~|M))|(?<![\w.])M[
 _CALL_AT = re.compile(r"CYCLE?[ \t]+CALL[ \t]+POS\b(.*)", re.IGNORECASE)
 _PLACE = re.compile(rf"[ \t]*([XYZ])[ \t]*({NUMBER})", re.IGNORECASE)
 _BESIDE = re.compile(r"(?:[ \t]*(?:R0|FMAX|M[ \t]*\d+))*[ \t]*", re.IGNORECASE)
-PLAIN_CYCLES = "CYCL DEF 200, 201, 203 and 205 with numbers are followed; have others written out as L"
 _BARE = re.compile(r"(?:L[ \t]*)?(?:R0[ \t]*)?(?:FMAX[ \t]*)?", re.IGNORECASE)
 # what acts where it is defined leaves the cycle that is called as it was: datum, mirror, dwell, rotation, scaling,
 # spindle, contours, tilt, tolerance, preset
@@ -28,20 +31,24 @@ _PARTS = {
     200: (_ALWAYS | {202}, frozenset({204, 210, 211, 395})),
     201: (_ALWAYS, frozenset({204, 208, 211})),
     203: (_ALWAYS | {202}, frozenset({204, 205, 208, 210, 211, 212, 213, 256, 395})),
-    205: (_ALWAYS | {202}, frozenset({204, 205, 208, 211, 212, 253, 256, 257, 258, 259, 379, 395})),
+    205: (_ALWAYS | {202}, frozenset({204, 205, 208, 211, 212, 253, 256, 257, 258, 259, 373, 379, 395})),
 }
+_NAMES = [str(number) for number in _PARTS]
+PLAIN_CYCLES = (
+    f"CYCL DEF {', '.join(_NAMES[:-1])} and {_NAMES[-1]} with numbers are followed; have others written out as L"
+)
 # Q that must be 0: what they do otherwise
-_SMALLER = 212
-_PLAIN = {
-    _SMALLER: "makes each plunging depth smaller", 213: "breaks chips", 257: "breaks chips", 379: "begins in a hole",
-    395: "counts the depth from the edge of the drill",
-}  # fmt: skip
+_PLAIN = {379: "begins in a hole", 395: "counts the depth from the edge of the drill"}
+SAME = 1e-9  # of depths: what doubles lose
 
 
 class Drilling(NamedTuple):
     """Lengths as written, in the frame in force. surface: of the part; clearance: how far above it the feed begins;
-    clear: where the hole ends; peck: 0 for the whole depth; above: how far above the depth of the peck before the feed
-    goes on; feed: mm/min or 0.1 inch/min, retract: back to the clearance at the end, between: between pecks, 0: rapid;
+    clear: where the hole ends. peck: 0 for the whole depth; smaller: by how much each is less than the one before, but
+    not below least; above: how far above the depth of the first and of the last peck the feed goes on; again: the feed
+    to there, 0: rapid. breaks: how many pecks end with a broken chip before one ends outside the hole; broken: how deep
+    the tool goes within a peck until it breaks the chip, 0: it does not; back: how far it goes back for that.
+    feed: mm/min or 0.1 inch/min, retract: back to the clearance at the end, between: between pecks, 0: rapid;
     dwells (s) at the clearance between pecks, and at the bottom. number: of the cycle.
     """
 
@@ -51,7 +58,13 @@ class Drilling(NamedTuple):
     bottom: float
     clear: float
     peck: float
-    above: float
+    smaller: float
+    least: float
+    above: tuple[float, float]
+    again: float
+    breaks: int
+    broken: float
+    back: float
     feed: float
     retract: float
     between: float
@@ -61,6 +74,14 @@ class Drilling(NamedTuple):
     def raised(self, by: float) -> "Drilling":
         """The same elsewhere along the axis that drills."""
         return self._replace(surface=self.surface + by, bottom=self.bottom + by, clear=self.clear + by)
+
+    def depths(self) -> Iterator[float]:
+        """Where each peck ends; the last is the bottom. Without end where the pecks come to nothing."""
+        depth, peck = self.surface, self.peck
+        while self.peck and (depth := depth - peck) > self.bottom + SAME:
+            yield depth
+            peck = max(peck - self.smaller, self.least, 0.0) if self.smaller else peck
+        yield self.bottom
 
 
 class NotFollowed(NamedTuple):
@@ -93,30 +114,33 @@ def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotF
 
 def _problems(q: Mapping[int, float]) -> list[str]:
     """What of the values is not followed."""
-    peck, back = q.get(202, 0.0), q.get(258, 0.0)
-    one_peck = not 0.0 < peck < -q[201]
+    lengths = [name for name in (200, 202, 205, 206, 208, 212, 213, 256, 257, 258, 259, 373) if q.get(name, 0.0) < 0.0]
     problems = (
         (any(not abs(value) < LARGEST for value in q.values()), "with a value beyond all travel"),
         (not q[201] < 0.0, "with a depth Q201 that is not below 0"),
-        (not q[206] > 0.0 or min(q[200], peck, q.get(208, 0.0)) < 0.0, "with Q200, Q202, Q206 or Q208 below 0"),
-        (peck > 0.0 and -q[201] > MOST_PECKS * peck, f"with more than {MOST_PECKS} pecks"),
-        (not one_peck and q.get(259, back) != back, "with Q259 other than Q258, which is not followed"),
-        *(
-            (bool(q.get(name)) and not (name == _SMALLER and one_peck), f"with Q{name}, which {does}: not followed")
-            for name, does in _PLAIN.items()
-        ),
+        (not q[206] > 0.0, "with Q206, the feed, not above 0"),
+        (bool(lengths), f"with Q{lengths[0]} below 0" if lengths else ""),
+        (q.get(213, 0.0) % 1.0 != 0.0, "with Q213, a number of breaks, that is not whole"),
+        *((bool(q.get(name)), f"with Q{name}, which {does}: not followed") for name, does in _PLAIN.items()),
     )
     return [problem for wrong, problem in problems if wrong]
 
 
-def _drilling(number: int, q: Mapping[int, float]) -> Drilling:
+def _drilling(number: int, q: Mapping[int, float]) -> Drilling | NotFollowed:
     retract = 0.0 if q.get(208, _RAPID) == _RAPID else q[208] or q[206]
-    return Drilling(
+    first = q.get(258, 0.0) if number == 205 else q[200]
+    found = Drilling(
         number=number, surface=q[203], clearance=q[200], bottom=q[203] + q[201],
-        clear=q[203] + max(q[200], q.get(204, 0.0)), peck=q.get(202, 0.0),
-        above=q.get(258, 0.0) if number == 205 else q[200], feed=q[206], retract=retract,
-        between=retract if number == 203 else 0.0, dwell_above=q.get(210, 0.0), dwell=q.get(211, 0.0),
+        clear=q[203] + max(q[200], q.get(204, 0.0)), peck=q.get(202, 0.0), smaller=q.get(212, 0.0),
+        least=q.get(205, 0.0), above=(first, q.get(259, first)),
+        again=0.0 if q.get(373, _RAPID) == _RAPID else q[373], breaks=round(q.get(213, 0.0)), broken=q.get(257, 0.0),
+        back=q.get(256, 0.0), feed=q[206], retract=retract, between=retract if number == 203 else 0.0,
+        dwell_above=q.get(210, 0.0), dwell=q.get(211, 0.0),
     )  # fmt: skip
+    most = len(list(islice(found.depths(), MOST_PECKS + 1)))
+    if most > MOST_PECKS or (found.broken and -q[201] > MOST_PECKS * found.broken):
+        return NotFollowed(f"CYCL DEF {number} is called with more than {MOST_PECKS} pecks: Q202, Q212, Q205 or Q257")
+    return found
 
 
 class Call(NamedTuple):

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from trueaxis.compensation.klartext.blocks import KlartextBlock
-from trueaxis.compensation.klartext.cycles import PLAIN_CYCLES, Call, Drilling, NotFollowed
+from trueaxis.compensation.klartext.cycles import PLAIN_CYCLES, SAME, Call, Drilling, NotFollowed
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Split
 from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, unknown_position
@@ -14,7 +15,6 @@ WRITTEN_OUT = (
     "CYCL DEF {0} is written out as L where it is called; between pecks it goes back to {1} above the last depth"
 )
 _DWELLS = -1  # beside the kinds of motions
-_SAME = 1e-9
 _DWELL = "{0}CYCL DEF 9.0 DWELL TIME{2}{0}CYCL DEF 9.1 DWELL {1:g}{2}"
 
 
@@ -106,20 +106,36 @@ class HoleWriter:
 
 def _steps(drilling: Drilling) -> Iterator[tuple[int, float, float]]:
     """Motions with their ends and F, and dwells with their times."""
-    top = drilling.surface + drilling.clearance
+    top, depths, broken = drilling.surface + drilling.clearance, list(drilling.depths()), 0
     yield Kind.RAPID, top, 0.0
-    depth = drilling.surface - drilling.peck
-    while drilling.peck and depth > drilling.bottom + _SAME:
+    for number, (before, depth) in enumerate(pairwise([drilling.surface, *depths])):
+        yield from _chips(drilling, before, depth)
         yield Kind.LINE, depth, drilling.feed
+        if depth == depths[-1]:
+            break
+        if broken < drilling.breaks:
+            broken += 1
+            yield Kind.RAPID, min(depth + drilling.back, top), 0.0
+            continue
+        broken = 0
         yield (Kind.LINE if drilling.between else Kind.RAPID), top, drilling.between
         if drilling.dwell_above > 0.0:
             yield _DWELLS, drilling.dwell_above, 0.0
-        yield Kind.RAPID, depth + drilling.above, 0.0
-        depth -= drilling.peck
-    yield Kind.LINE, drilling.bottom, drilling.feed
+        first, last = drilling.above
+        above = first + (last - first) * number / max(len(depths) - 2, 1)
+        yield (Kind.LINE if drilling.again else Kind.RAPID), min(depth + above, top), drilling.again
     if drilling.dwell > 0.0:
         yield _DWELLS, drilling.dwell, 0.0
     if drilling.retract:
         yield Kind.LINE, top, drilling.retract
     if drilling.clear > top or not drilling.retract:
         yield Kind.RAPID, drilling.clear, 0.0
+
+
+def _chips(drilling: Drilling, before: float, depth: float) -> Iterator[tuple[int, float, float]]:
+    """Chips that are broken within a peck, from `before` to `depth`."""
+    at = before - drilling.broken
+    while drilling.broken and at > depth + SAME:
+        yield Kind.LINE, at, drilling.feed
+        yield Kind.RAPID, min(at + drilling.back, drilling.surface + drilling.clearance), 0.0
+        at -= drilling.broken

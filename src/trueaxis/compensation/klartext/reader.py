@@ -16,11 +16,11 @@ from trueaxis.compensation.klartext.blocks import (
     Other,
     codes_alone,
     head_of,
-    known_codes,
     lex_klartext,
     other_block,
     too_long,
 )
+from trueaxis.compensation.klartext.codes import known_codes
 from trueaxis.compensation.klartext.cycles import Drilling, NotFollowed, call_of, defined
 from trueaxis.compensation.klartext.drilling import HoleWriter, ModalFeed, problem_of
 from trueaxis.compensation.klartext.ends import POLAR, ends_of

@@ -55,7 +55,6 @@ _UNROLLED = "--via-linuxcnc expands it, for a LinuxCNC control; for others " + I
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"
 _COUPLES = "moves the linear axes with the rotary ones"
 _CALLS_CYCLE, _EACH_POSITION = "calls the cycle that is defined before", "calls a cycle at every position"
-_DRILLED = "CYCL DEF 200, 201, 203 or 205 with numbers before it; have others written out as L"
 _MODES = "saves or restores modes, so that later blocks read differently"
 
 # never passed, whoever vouches for them
@@ -107,7 +106,7 @@ HARMFUL_ON: dict[str, dict[int, str]] = {
     },
 }
 
-NOT_PASSED = "--pass-m does not pass it; write the program without it before compensating"
+NOT_PASSED = "--pass-m does not pass it"
 
 
 def spindle_of(code: int) -> str:
@@ -146,9 +145,7 @@ def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple
 
 
 def _remedy(harm: str, dialect: str | None) -> str:
-    if harm in (_CALLS_CYCLE, _EACH_POSITION):
-        return f"--pass-m does not pass it; {_DRILLED}"
     if harm not in (_SUBPROGRAM, _RETURNS):
-        return NOT_PASSED
+        return f"{NOT_PASSED}; write the program without it before compensating"
     end = "M30 or M2 where the program ends; else " if harm == _RETURNS else ""
-    return f"--pass-m does not pass it; {end}{_UNROLLED if dialect in (None, 'linuxcnc') else IN_PLACE}"
+    return f"{NOT_PASSED}; {end}{_UNROLLED if dialect in (None, 'linuxcnc') else IN_PLACE}"
