@@ -85,6 +85,7 @@ class SiemensControl(Motions):
         end = given[3] if texts[3].strip() else reference - abs(given[4])
         depth = given[5] if texts[5].strip() else reference - abs(given[6])
         degression, stroke, clear_chips = given[7], reference - depth, given[11] == 1.0
+        share, degression = (-degression, 0.0) if degression < 0.0 else (1.0, degression)
         break_by = given[14] or 1.0 / self.unit
         total = (start - end) * self.unit
         anticipation = given[16] or (0.6 if total <= 30.0 else min(total / 50.0, 7.0)) / self.unit
@@ -92,7 +93,7 @@ class SiemensControl(Motions):
         while depth > end:
             hole += [(start, True), (depth + anticipation, True)] if clear_chips else [(depth + break_by, False)]
             rest = depth - end
-            stroke = max(stroke - degression, degression)
+            stroke = max(stroke - degression, degression) if share == 1.0 else max(stroke * share, given[13])
             if degression and degression < rest <= 2.0 * degression:
                 stroke = rest / 2.0
                 hole += [(depth - stroke, False)]

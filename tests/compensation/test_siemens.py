@@ -134,7 +134,10 @@ def test_drilling_cycles_that_are_called_are_written_out(tmp_path: Path) -> None
     [
         ("50,-1.5,2,-20.5,,-6.5,,0,0.5,0.2,1,1", 4), ("50,-1.5,2,,19,,5,,,,,0,,,0.4,1.5", 7),
         ("50,-1.5,2,-31.5,,,10,3,0,0,1,1,0,0,0,0,1.2,0,1,12", 6), ("50,-1.5,2,-50,,-15,,4,,,,0", 15),
-        ("50,-1.5,2,-20.5,,-20.5,,,,,1,1", 1), ("60,5,2,-40,,,9,,,,,1,,,,,,,1,2", 5),
+        ("50,-1.5,2,-20.5,,-20.5,,,,,1,1", 1), ("50,-1.5,2,-20.5,19,-6.5,5,0,,,1,1,3,5,0,0,0", 4),
+        # as Autodesk's posts write it; a share of the peck before, with the least of them
+        ("50,-1.5,2,-20.5,,-6.5,,0,,,1,1,,5,0,0,0,0,0,1001110", 4), ("50,-1.5,2,-20.5,,-9.5,,-0.5,,,1,1,,3", 5),
+        ("60,5,2,-40,,,9,,,,,1,,,,,,,1,2", 5),
     ],
 )  # fmt: skip
 def test_deep_holes(tmp_path: Path, arguments: str, feeds: int) -> None:
@@ -148,7 +151,7 @@ def test_deep_holes(tmp_path: Path, arguments: str, feeds: int) -> None:
     assert after < ALONG
     assert len(re.findall(r"^G1 ", written, re.MULTILINE)) == 2 * feeds
     dwells = re.findall(r"^G4 (\S+)", written, re.MULTILINE)
-    first = arguments.startswith("50,-1.5,2,-20.5,,-6.5")
+    first = arguments.startswith("50,-1.5,2,-20.5,,-6.5,,0,0.5")
     assert dwells == (
         2 * ["F0.5", "F0.2", "F0.5", "F0.2", "F0.5", "F0.2", "F0.5"]
         if first
@@ -188,20 +191,25 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("MIRROR X0", "mirrors"),
         ("SCALE X2 Y2", "scales"),
         ("CYCLE81(10,0,2,R1)", "the argument 'R1' is no number"),
-        ("CYCLE81(10,0,2)", "without RTP, RFP and one of DP and DPR"),
-        ("CYCLE81(10,0,2,-20,20)", "without RTP, RFP and one of DP and DPR"),
+        ("CYCLE81(10,0,2)", "CYCLE81 without one of DP and DPR"),
+        ("CYCLE81(,0,2,-20)", "CYCLE81 without RTP and RFP"),
+        ("CYCLE81(10,0,2,-20,19)", "with DP and DPR that are different depths"),
         ("CYCLE81(1,0,2,-20)", "RTP not above it"),
         ("CYCLE82(10,0,2,-20,,1,10,0,10)", "with a mode"),
         ("CYCLE82(10,0,2,-20,,1,0,0,11)", "with a mode"),
         ("CYCLE83(10,0,2,-20)", "CYCLE83 without one of FDEP and FDPR"),
-        ("MCALL CYCLE83(10,0,2,-20,,-5,4)", "CYCLE83 without one of FDEP and FDPR"),
+        ("MCALL CYCLE83(10,0,2,-20,,-5,4)", "CYCLE83 with FDEP and FDPR that are different depths"),
         ("CYCLE83(10,0,2,-20,,-5,,,,,1)", "CYCLE83 without VARI 0 or 1"),
-        ("CYCLE83(10,0,2,-20,,-5,,-0.8,,,1,1)", "CYCLE83 with _DAM below 0"),
+        ("CYCLE83(10,0,2,-20,,-5,,-1.2,,,1,1)", "CYCLE83 with _DAM below -1"),
+        ("CYCLE83(10,0,2,-20,,-5,,-0.5,,,1,1)", "CYCLE83 with pecks that come to nothing"),
         ("CYCLE83(10,0,2,-20,,-5,,,,,0.5,1)", "CYCLE83 with FRF other than 1"),
-        ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,1)", "CYCLE83 with _AXN"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,1)", "a cycle along X (_AXN) in a plane across Z"),
+        ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,4)", "CYCLE83 with _AXN that is none"),
         ("CYCLE83(10,0,2,-20,,-25,,,,,1,1)", "CYCLE83 with a first depth that is not between"),
         ("CYCLE83(10,0,2,-20,,,0.001,,,,1,1)", "CYCLE83 with more than 10000 pecks"),
         ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,,,,,,,10,11)", "CYCLE83 with a mode"),
+        ("CYCLE83(10,0,2,-20,,-5,,,0.5,,1,1,,,,,,,10,20)", "CYCLE83 with a mode"),  # dwells in turns of the spindle
+        ("CYCLE83(10,0,2,-20,,-5,,2,,,1,1,,,,,,,10,1001110)", "CYCLE83 with a mode"),  # whether _DAM is a share
         ("CYCLE84(10,0,2,-20)", "CYCLE84 is a cycle or a subprogram"),
         ("MCALL CYCLE81(10,0,2,-20) X5", "beside other words"),
         ("MCALL CYCLE81(10,0,2,-20)\nSUPA G0 X5", "machine coordinates, or the end"),

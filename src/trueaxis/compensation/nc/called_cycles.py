@@ -51,7 +51,7 @@ class CallReader:
         """The motions of a cycle where the axes stand; the modes of the program are as before."""
         state = self._state
         axis = codes.PLANES[state.plane][2]
-        if problem := self._problem(axis):
+        if problem := self._problem(axis, call):
             self._faults.add(number, *problem)
             return []
         row = state.row[axis]
@@ -73,12 +73,16 @@ class CallReader:
         state.motion = motion
         return writer.finished()
 
-    def _problem(self, axis: str) -> tuple[str, str] | None:
+    def _problem(self, axis: str, call: DrillingCall) -> tuple[str, str] | None:
         """What is wrong with a hole here; axis: which drills."""
         state = self._state
         across = [state.row[other] for other in "XYZ" if other in state.row and other != axis]
         problems = (
             (not {"X", "Y", "Z"} <= state.row.keys(), "a cycle on a machine without X, Y and Z", "write it out"),
+            (
+                call.axis not in ("", axis), f"a cycle along {call.axis} (_AXN) in a plane across {axis}",
+                f"_AXN 0, or the plane across {call.axis}",
+            ),
             (state.feed_mode == "time", "a cycle under G93", "G94"),
             (state.point_control, "a cycle under tool centre point control", "end it before"),
             (state.frames.system == "", "which work offset is in force here is not known", "G54 in the program"),

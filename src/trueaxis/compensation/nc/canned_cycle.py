@@ -50,10 +50,12 @@ class DrillingCall:
     after another; none: no modal call from here on. top: where the feed begins; clear: where it ends. back: how far it
     goes back between depths, at the feed, 0: to the top, by rapid, and again to `ahead` above the depth before; None:
     what the control takes. dwells: the words of G4 at each depth, at the top between them, and at the last depth, empty
-    for none. modal: whether it is called after each block that moves.
+    for none. modal: whether it is called after each block that moves. axis: along which it says that it drills, empty:
+    across the plane.
     """
 
     name: str = ""
+    axis: str = ""
     depths: tuple[float, ...] = ()
     top: float = 0.0
     clear: float = 0.0

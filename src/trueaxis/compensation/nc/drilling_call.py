@@ -1,7 +1,12 @@
-"""CYCLE81, CYCLE82 and CYCLE83 of SINUMERIK: what their arguments ask for, and the motions of a hole."""
+"""CYCLE81, CYCLE82 and CYCLE83 of SINUMERIK: what their arguments ask for, and the motions of a hole.
+
+The order of the arguments is that of Siemens' Programming Guide Cycles for 840D/840Di/810D, 2.1, and of Autodesk's
+posts, which have _GMODE, _DMODE and _AMODE behind them.
+"""
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from trueaxis.compensation.nc.canned_cycle import DrillingCall
 from trueaxis.compensation.nc.cycle_blocks import DWELL, FEED, MOST_PECKS, RAPID
@@ -17,9 +22,14 @@ _MOST_DEEP = 20  # RTP RFP SDIS DP DPR FDEP FDPR _DAM DTB DTS FRF VARI _AXN _MDE
 # _GMODE, _DMODE and _AMODE that change neither depth nor plane; posts leave DTB out before them in CYCLE81, so that
 # each may stand one place further to the left
 _MODES = ((0.0,), (0.0, 1.0, 10.0, 12.0), (0.0, 2.0, 10.0, 12.0))
-PLAIN_ARGUMENTS = "RTP, RFP, SDIS, DP or DPR, DTB as numbers, of CYCLE83 FDEP or FDPR, and VARI; 0 for further ones"
+PLAIN_ARGUMENTS = (
+    "RTP, RFP, SDIS, DP or DPR, DTB as numbers, of CYCLE83 FDEP or FDPR, VARI, and _DAM, DTS, _AXN, _MDEP, _VRT, _DTD, "
+    "_DIS1; 0 for further ones"
+)
 # of the control, mm: how far it goes back to break chips (_VRT 0), and stays above the depth before (_DIS1 0)
 _BACK = 1.0
+_LEAST_PECK = 0.001  # mm or inch: the least increment of most controls
+_AXES = {1.0: "X", 2.0: "Y", 3.0: "Z"}  # _AXN
 _AHEAD, _DEPTH_OF_AHEAD, _MOST_AHEAD = 0.6, 30.0, 7.0
 
 
@@ -33,12 +43,12 @@ def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall
     given = _numbers(arguments or "()", most)
     given += [None] * (most - len(given))
     retract, reference, clearance, depth, relative = given[:5]
-    if any(mode not in (None, *right) for mode, right in zip(given[-3:], _MODES, strict=True)):
-        raise CallError(f"{name} with a mode (_GMODE, _DMODE, _AMODE) that is not followed")
-    if retract is None or reference is None or (depth is None) == (relative is None):
-        raise CallError(f"{name} without RTP, RFP and one of DP and DPR")
+    if problem := _problem_of_modes(name, given):
+        raise CallError(f"{name} with {problem}")
+    if retract is None or reference is None:
+        raise CallError(f"{name} without RTP and RFP")
+    bottom = _depth(name, ("DP", depth), ("DPR", relative), reference)
     top = reference + abs(clearance or 0.0)
-    bottom = depth if depth is not None else reference - abs(relative or 0.0)
     if not bottom < top <= retract:
         raise CallError(f"{name}: the depth is not below RFP + SDIS, or RTP not above it")
     if name == DEEP:
@@ -50,37 +60,86 @@ def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall
 def _deep(given: list[float | None], reference: float, plain: DrillingCall) -> DrillingCall:
     """CYCLE83: in pecks, chips broken (VARI 0) or taken out (1)."""
     first, first_relative, smaller, dwell, dwell_above, share, way, axis, least, back, dwell_last, ahead = given[5:17]
-    if (first is None) == (first_relative is None):
-        raise CallError(f"{DEEP} without one of FDEP and FDPR")
-    first = first if first is not None else reference - abs(first_relative or 0.0)
+    first = _depth(DEEP, ("FDEP", first), ("FDPR", first_relative), reference)
+    factor, smaller = (-smaller, 0.0) if smaller and smaller < 0.0 else (1.0, smaller or 0.0)
     problems = (
         (not plain.depths[0] <= first < plain.top, "with a first depth that is not between RFP + SDIS and the depth"),
-        ((smaller or 0.0) < 0.0 or bool(least), "with _DAM below 0 or _MDEP (a share of the peck before)"),
+        (factor > 1.0 or (least or 0.0) < 0.0, "with _DAM below -1, or _MDEP below 0"),
         (share not in (None, 0.0, 1.0), "with FRF other than 1 (another feed to the first depth)"),
         (way not in (0.0, 1.0), "without VARI 0 or 1"),
-        (axis not in (None, 0.0), "with _AXN (another axis)"),
+        (axis not in (None, 0.0, *_AXES), "with _AXN that is none of 1, 2 and 3"),
         (min(back or 0.0, ahead or 0.0) < 0.0, "with _VRT or _DIS1 below 0"),
     )
     for wrong, problem in problems:
         if wrong:
             raise CallError(f"{DEEP} {problem}")
     return DrillingCall(
-        name=DEEP, depths=tuple(_depths(reference, first, plain.depths[0], smaller or 0.0)), top=plain.top,
+        name=DEEP, axis=_AXES.get(axis or 0.0, ""), top=plain.top,
+        depths=tuple(_depths(reference, first, plain.depths[0], _Pecks(smaller, factor, least or 0.0))),
         clear=plain.clear, back=0.0 if way else back or None, ahead=ahead or None,
         dwells=(_dwell(dwell), _dwell(dwell_above), _dwell(dwell_last or dwell)), modal=plain.modal,
     )  # fmt: skip
 
 
-def _depths(reference: float, first: float, bottom: float, smaller: float) -> Iterator[float]:
-    """Depths one after another: each peck smaller than the one before by `smaller`, and no smaller than that; what is
-    left of twice that is halved.
+def _depth(
+    name: str, absolute: tuple[str, float | None], relative: tuple[str, float | None], reference: float
+) -> float:
+    """A depth that is given as a position or below the reference plane, or both ways alike."""
+    (word, depth), (other, below) = absolute, relative
+    if depth is None and below is None:
+        raise CallError(f"{name} without one of {word} and {other}")
+    by_other = depth if below is None else reference - abs(below)
+    if depth is not None and by_other != depth:
+        raise CallError(f"{name} with {word} and {other} that are different depths")
+    return by_other if by_other is not None else reference
+
+
+def _problem_of_modes(name: str, given: list[float | None]) -> str:
+    """What is not followed of _GMODE, _DMODE and _AMODE."""
+    *modes, last = given[-3:]
+    if name != DEEP or not last:
+        modes.append(last)
+    right = all(mode in (None, *may) for mode, may in zip(modes, _MODES, strict=False))
+    if right and name == DEEP and last:
+        right = last % 1.0 == 0.0 and last >= 0.0 and _deep_mode(f"{last:010.0f}"[::-1], given)
+    return "" if right else "a mode (_GMODE, _DMODE, _AMODE) that is not followed"
+
+
+def _deep_mode(digits: str, given: list[float | None]) -> bool:
+    """Whether the digits of _AMODE, the last first, say of CYCLE83 what the arguments say without them: how depths are
+    given, that dwells are seconds, and, of no matter where all pecks are alike, what _DAM and FRF are.
     """
-    depth, peck = first, reference - first
+    _, reference, _, depth, relative, first, first_relative, smaller = given[:8]
+    depths = (digits[0], depth, relative), (digits[4], first, first_relative)
+    as_given = all(
+        digit in "0" + "2" * (absolute is not None) + "1" * (absolute is None and below is not None)
+        for digit, absolute, below in depths
+    )
+    peck = first_relative if first is None else (reference or 0.0) - first
+    alike = not smaller or (given[13] or 0.0) >= abs(peck or 0.0)
+    return as_given and set(digits[1:4]) <= {"0", "1"} and (alike or set(digits[5:]) <= {"0"})
+
+
+class _Pecks(NamedTuple):
+    """By how much each peck is smaller than the one before, and no smaller than that; or what share of it, and no
+    smaller than `least`, which matters with a share alone.
+    """
+
+    smaller: float
+    share: float
+    least: float
+
+
+def _depths(reference: float, first: float, bottom: float, pecks: _Pecks) -> Iterator[float]:
+    """Depths one after another; what is left of twice the amount of _DAM is halved."""
+    depth, peck, smaller = first, reference - first, pecks.smaller
     for _ in range(MOST_PECKS):
         yield depth
         if depth <= bottom:
             return
-        peck = max(peck - smaller, smaller)
+        peck = max(peck - smaller, smaller) if pecks.share == 1.0 else max(peck * pecks.share, pecks.least)
+        if pecks.share < 1.0 and peck < _LEAST_PECK:
+            raise CallError(f"{DEEP} with pecks that come to nothing: _DAM is a share, and _MDEP is 0")
         left = depth - bottom
         halved = smaller and smaller < left <= 2.0 * smaller
         depth = depth - 0.5 * left if halved else max(depth - peck, bottom) if peck > 0.0 else bottom
