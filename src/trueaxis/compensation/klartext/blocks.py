@@ -150,8 +150,10 @@ _TEXT = re.compile(
 )
 # the tip follows the program, rotary axes turn evenly along each block
 _CONTROL = re.compile(r"FUNCTION[ \t]+(?:(RESET[ \t]+TCPM)|TCPM F TCP AXIS POS PATHCTRL AXIS)", re.IGNORECASE)
+_AT_POINTS, _AT_EACH = "calls a cycle at the points of a pattern", "L X+10 Y+20 R0 FMAX M99 for each point"
 _FAULTY = (
     (r"CALL LBL", "calls a part of the program"), (r"CALL PGM|PGM CALL|SEL PGM", "calls a program"),
+    (r"CYCLE? CALL PAT|SEL PATTERN", _AT_POINTS),
     (r"CYCLE? CALL", "calls a cycle"), (r"RND", "rounds a corner"), (r"CHF", "bevels a corner"),
     (r"APPR|DEP", "approaches or leaves a contour"), (r"F[LPC][T]?[ \t]", "is free contour programming"),
     (r"PLANE", "tilts the plane"), (r"FUNCTION[ \t]*TCPM", "moves the linear axes with the rotary ones"),
@@ -168,6 +170,7 @@ _LATER = frozenset({
 # cycles that change the frame unless all their values are 0 (11: 1)
 _FRAMES = {8: "mirrors", 10: "turns the coordinates", 11: "scales", 26: "scales", 19: "tilts the plane"}
 _DATUM, _PRESET, _TOLERANCE = 7, 247, 32
+_PATTERNS = frozenset({220, 221})
 _NOTES = {_TOLERANCE: f"CYCL DEF {_TOLERANCE} (tolerance): {codes.ROUNDS}"}
 _WRITTEN_OUT = "have its motions written out as L and C"
 
@@ -207,7 +210,8 @@ def other_block(text: str) -> Other:
         return Other(point_control=control[1] is None if control else None)
     known = next((what for pattern, what in _FAULTY if re.match(pattern, text, re.IGNORECASE)), "")
     if known:
-        return Other(problem=f"{text[:20]!r} {known}, which is not followed", remedy=_WRITTEN_OUT)
+        remedy = _AT_EACH if known == _AT_POINTS else _WRITTEN_OUT
+        return Other(problem=f"{text[:20]!r} {known}, which is not followed", remedy=remedy)
     return Other(problem=f"{text[:20]!r} is not known", remedy="only blocks whose effect is known are accepted")
 
 
@@ -225,7 +229,8 @@ def _cycle(number: int, values: str, text: str) -> Other:
         return Other(problem=f"{text[:24]!r} {_FRAMES[number]}", remedy=_WRITTEN_OUT)
     if number in _FRAMES or number in _LATER:
         return Other()
-    return Other(problem=f"{text[:24]!r} is a cycle that is not followed", remedy=_WRITTEN_OUT)
+    what, remedy = (_AT_POINTS, _AT_EACH) if number in _PATTERNS else ("is a cycle", _WRITTEN_OUT)
+    return Other(problem=f"{text[:24]!r} {what}, which is not followed", remedy=remedy)
 
 
 def _shift(values: str) -> Other:

@@ -25,6 +25,7 @@ _BARE = re.compile(r"(?:L[ \t]*)?(?:R0[ \t]*)?(?:FMAX[ \t]*)?", re.IGNORECASE)
 # spindle, contours, tilt, tolerance, preset
 _AT_ONCE = frozenset({7, 8, 9, 10, 11, 13, 14, 19, 20, 26, 32, 247})
 _RAPID = 99999.0  # of a feed: FMAX
+_BACK = frozenset({208, 253, 373})  # feeds out of the hole and back to the depth
 _ALWAYS = frozenset({200, 201, 203, 206})
 # Q that each cycle has, and may have
 _PARTS = {
@@ -104,12 +105,16 @@ def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotF
     wrong = [f"with Q{q}, which is not followed" for q in values if q not in needed | may]
     wrong += [
         f"with Q{q}={value}, which is no number"
-        for q, value in values.items() if not re.fullmatch(NUMBER, value) and (q, value.upper()) != (208, "FMAX")
+        for q, value in values.items() if not re.fullmatch(NUMBER, value) and not _is_rapid(q, value)
     ]  # fmt: skip
     wrong += [f"without Q{q}" for q in sorted(needed - values.keys())]
-    given = {} if wrong else {q: _RAPID if value.upper() == "FMAX" else float(value) for q, value in values.items()}
+    given = {} if wrong else {q: _RAPID if _is_rapid(q, value) else float(value) for q, value in values.items()}
     wrong += _problems(given) if given else []
     return NotFollowed(f"{name} is called {wrong[0]}") if wrong else _drilling(number, given)
+
+
+def _is_rapid(q: int, value: str) -> bool:
+    return q in _BACK and value.upper() in {"FMAX", "MAX"}
 
 
 def _problems(q: Mapping[int, float]) -> list[str]:

@@ -4,6 +4,7 @@ from trueaxis.compensation.machine import LINEAR, ROTARY
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.lexer import Block, Meaning, Word
+from trueaxis.compensation.nc.together import check_together
 from trueaxis.compensation.offsets import system_name
 from trueaxis.compensation.settings import Settings
 
@@ -11,7 +12,7 @@ _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
 _ONCE = frozenset("XYZABCIJKRFSTN")
 _PARAMETERS = frozenset("PQLE")
-_MACRO_CALLS = (650, 660, 661)  # G65 G66 G66.1: the other words are arguments
+_MACRO_CALLS = frozenset({650, 660, 661})  # G65 G66 G66.1: the other words are arguments
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 TO_PLC = "goes to the machine's own control (PLC), and is taken to move no axis"
@@ -43,7 +44,7 @@ def interpret(
     """
     meaning = Meaning() if meaning is None else meaning
     if block.problem:
-        meaning.complain(block.problem)
+        meaning.complain(block.problem, codes.numbers_for(settings.dialect) if block.macro else "")
     seen: set[str] = set()
     others: list[Word] = []
     for word in block.words:
@@ -76,72 +77,8 @@ def interpret(
         and (meaning.parameters or meaning.motion is not None)
     ):
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
-    _passed(meaning, alone and len(block.words) == len(others) + 1)
-    _cancels(meaning)
-    _look_ahead(meaning, settings)
-    _on_linuxcnc(meaning, settings.dialect)
+    check_together(meaning, alone and len(block.words) == len(others) + 1, settings.dialect or "")
     return meaning
-
-
-def _passed(meaning: Meaning, alone: bool) -> None:
-    """A code that is not known and the user vouches for; alone: with words only that may belong to it."""
-    if not meaning.unknown or meaning.complaints:
-        return
-    if alone:
-        meaning.notes.append(f"{meaning.unknown} passes as --pass-g says: it moves no axis and changes no mode")
-    else:
-        beside = f"{meaning.unknown}, which --pass-g names, beside axis words or other codes"
-        meaning.complain(beside, "a block of its own")
-
-
-def _on_linuxcnc(meaning: Meaning, dialect: str | None) -> None:
-    """M61 Q: which tool is in the spindle; whose P and Q are, of G64 or of a cycle."""
-    if dialect != "linuxcnc":
-        return
-    if meaning.drilling and codes.CONTINUOUS in meaning.codes:
-        meaning.drilling = meaning.cycle is not None or meaning.positions or bool(meaning.data)
-        if meaning.drilling:
-            meaning.complain("G64 in the block of a cycle: whose P and Q are is not determined", "make it two blocks")
-    if m_codes.TOOL_NUMBER not in meaning.miscellaneous:
-        return
-    number = meaning.parameters.get("Q", -1.0)
-    if number < 0.0 or number != int(number):
-        meaning.complain("M61 without the number of the tool in the spindle", "M61 Q1")
-    elif m_codes.TOOL_CHANGE in meaning.miscellaneous:
-        meaning.complain("M6 and M61 in one block")
-    else:
-        meaning.in_spindle = int(number)
-
-
-def _look_ahead(meaning: Meaning, settings: Settings) -> None:
-    """A mode of looking ahead: whether it is one that leaves positions as they are."""
-    if not meaning.look_ahead:
-        return
-    letter, values = codes.LOOK_AHEAD_ON[settings.dialect or ""][meaning.look_ahead]
-    name = f"G{meaning.look_ahead / 10:g}"
-    value = meaning.parameters.get(letter)
-    if value not in values:
-        given = name if value is None else f"{name} {letter}{value:g}"
-        right = " or ".join(f"{name} {letter}{one:g}" for one in sorted(values))
-        meaning.complain(f"{given} is not known to leave positions as they are", right)
-    elif meaning.positions or set(meaning.parameters) - {letter, "R"}:
-        meaning.complain(f"other words beside {name} {letter}{value:g}", "a block of its own, without axis words")
-    elif value:
-        meaning.notes.append(f"{name} {letter}{value:g}: {codes.ROUNDS}")
-
-
-def _cancels(meaning: Meaning) -> None:
-    """Axis words beside a cancelling code: whether they are positions differs by code and control."""
-    with_axes, alone = meaning.codes & codes.CANCELS_WITH_AXES, meaning.codes & codes.CANCELS_ALONE
-    if not (with_axes or alone) or not meaning.positions:
-        return
-    name = f"G{min(with_axes | alone) / 10:g}"
-    if alone or meaning.motion is not None:
-        meaning.complain(f"{name} and axis words in one block: whose they are is not determined", "make it two blocks")
-    elif 921 in with_axes and any((*meaning.axes.values(), *meaning.centre.values(), meaning.radius)):
-        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.WITHOUT_IT)
-    meaning.axes, meaning.centre, meaning.radius = {}, {}, None
-    meaning.undotted.clear()
 
 
 def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
@@ -247,7 +184,7 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
         meaning.length_of = int(word.value)
     elif letter == "D" and not codes.WITH_D.isdisjoint(meaning.codes):
         return
-    elif letter in _OFFSETS and word.value != 0.0:
+    elif letter in _OFFSETS and word.value != 0.0 and not _explained(meaning):
         meaning.complain(
             f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.WITHOUT_IT
         )
@@ -270,9 +207,10 @@ def _edge(word: Word, meaning: Meaning) -> None:
 def _takes(letter: str, meaning: Meaning) -> bool:
     """Whether a code of the block takes a word with this address."""
     return bool(
-        meaning.miscellaneous
+        _explained(meaning)
+        or meaning.miscellaneous
         or meaning.dwell
-        or not meaning.codes.isdisjoint((*codes.PATH_MODES, *_MACRO_CALLS))
+        or not meaning.codes.isdisjoint(codes.PATH_MODES)
         or meaning.look_ahead
         or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))
@@ -281,12 +219,18 @@ def _takes(letter: str, meaning: Meaning) -> bool:
     )
 
 
+def _explained(meaning: Meaning) -> bool:
+    """Whether a code of the block is refused, which says enough of its words."""
+    return bool(meaning.complaints) and not meaning.codes.isdisjoint(codes.FAULTY)
+
+
 def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
     if meaning.dwell:
         meaning.complain(f"{letter} in a block of G4 (dwell)", "give the motion a block of its own")
     if letter not in machine_axes:
-        meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
+        if _MACRO_CALLS.isdisjoint(meaning.codes):
+            meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
     (meaning.axes if meaning.data_code is None else meaning.data)[letter] = word.value
     _number(word, meaning)

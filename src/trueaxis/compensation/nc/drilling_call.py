@@ -22,7 +22,7 @@ _MOST_DEEP = 20  # RTP RFP SDIS DP DPR FDEP FDPR _DAM DTB DTS FRF VARI _AXN _MDE
 # _GMODE, _DMODE and _AMODE that change neither depth nor plane; posts leave DTB out before them in CYCLE81, so that
 # each may stand one place further to the left
 _MODES = ((0.0,), (0.0, 1.0, 10.0, 12.0), (0.0, 2.0, 10.0, 12.0))
-PLAIN_ARGUMENTS = (
+_PLAIN = (
     "RTP, RFP, SDIS, DP or DPR, DTB as numbers, of CYCLE83 FDEP or FDPR, VARI, and _DAM, DTS, _AXN, _MDEP, _VRT, _DTD, "
     "_DIS1; 0 for further ones"
 )
@@ -34,7 +34,11 @@ _AHEAD, _DEPTH_OF_AHEAD, _MOST_AHEAD = 0.6, 30.0, 7.0
 
 
 class CallError(Exception):
-    """What is wrong with the arguments of a cycle."""
+    """What is wrong with the arguments of a cycle, and what would be right."""
+
+    def __init__(self, problem: str, remedy: str = _PLAIN) -> None:
+        super().__init__(problem)
+        self.remedy = remedy
 
 
 def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall:
@@ -50,7 +54,7 @@ def drilling_call(name: str, arguments: str | None, modal: bool) -> DrillingCall
     bottom = _depth(name, ("DP", depth), ("DPR", relative), reference)
     top = reference + abs(clearance or 0.0)
     if not bottom < top <= retract:
-        raise CallError(f"{name}: the depth is not below RFP + SDIS, or RTP not above it")
+        raise CallError(f"{name}: the depth is not below RFP + SDIS, or RTP not above it", "as (50,0,2,-20)")
     if name == DEEP:
         return _deep(given, reference, DrillingCall(name=name, depths=(bottom,), top=top, clear=retract, modal=modal))
     dwell = _dwell(given[5])
@@ -90,7 +94,7 @@ def _depth(
         raise CallError(f"{name} without one of {word} and {other}")
     by_other = depth if below is None else reference - abs(below)
     if depth is not None and by_other != depth:
-        raise CallError(f"{name} with {word} and {other} that are different depths")
+        raise CallError(f"{name} with {word} and {other} that are different depths", f"leave {other} empty, also 0")
     return by_other if by_other is not None else reference
 
 

@@ -188,3 +188,9 @@ def refused(code: int, dialect: str | None) -> Refused:
     return (
         found._replace(remedy=f"say --dialect {followed[0]} if it is one; else {found.remedy}") if followed else found
     )
+
+
+def numbers_for(dialect: str | None) -> str:
+    """What to do about a macro, a variable or an expression."""
+    here = "write the numbers, and the blocks that are run, themselves"
+    return f"--via-linuxcnc unrolls it, for a LinuxCNC control; else {here}" if dialect in (None, "linuxcnc") else here

@@ -16,7 +16,7 @@ from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 # 3.11.5 gets wrong
 NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
 _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
-_MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO\d*+|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
+_MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|END\d|GOTO\d*+|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
 LARGEST = 1e9  # of a word's number: what is more is no machine's
 # LinuxCNC runs such a comment as Python, which may do anything
 _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)

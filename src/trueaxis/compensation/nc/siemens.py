@@ -11,7 +11,6 @@ from trueaxis.compensation.nc.drilling_call import (
     DRILLING,
     END_OF_CALLS,
     MODAL,
-    PLAIN_ARGUMENTS,
     CallError,
     drilling_call,
 )
@@ -105,7 +104,7 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = spindle.end()
         elif (statement := _STATEMENT.match(body, place)) or not (keyword := _KEYWORD.match(body, place)):
             what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
-            what = what or "is no word whose value is in the program"
+            what = what or "is no word whose value is in the program: write the number itself"
             comma = decimal_comma(body, place)
             problem = f"column {place + 1}: {comma or f'{body[place : place + 20]!r} {what}'}"
         else:
@@ -212,7 +211,7 @@ def _call_cycle(found: SiemensBlock, meaning: Meaning) -> None:
         try:
             meaning.call = drilling_call(names[-1], found.functions[-1].arguments, modal)
         except CallError as problem:
-            meaning.complain(str(problem), f"{PLAIN_ARGUMENTS}; or {_WRITTEN_OUT}")
+            meaning.complain(str(problem), f"{problem.remedy}; or {_WRITTEN_OUT}")
 
 
 def _take(function: Function, meaning: Meaning) -> None:
