@@ -11,15 +11,16 @@ from trueaxis.compensation.settings import Dialect
 
 _KLARTEXT = re.compile(r"(?im)^[ \t]*(?:\d+[ \t]+)?BEGIN[ \t]+PGM[ \t]+\S+[ \t]+(?:MM|INCH)\b")
 _SIEMENS = re.compile(
-    r"(?im)^[ \t]*(?:%_N_\w+_(?:MPF|SPF)\b|;\$PATH=)|"
+    r"(?m)^[ \t]*%_N_\w+_(?:MPF|SPF)\b|^[ \t]*;\$PATH=|"
     r"^[ \t]*(?:N\d+[ \t]*)?(?:(?:G0?[0123]|G17)[ \t]+)?"
     r"(?:[^;(\n]*\bCR[ \t]*=|A?TRANS[ \t]+[XYZ]|A?TRANS[ \t]*$|TRAORI\b|(?:MCALL[ \t]+)?CYCLE8\d+[ \t]*\(|MSG[ \t]*\(|"
     r"[XYZ][ \t]*=[ \t]*[-+.\dAI])"
 )
+_OF_SIEMENS_ALONE = ("%_N_", ";$PATH", "=", "TRA", "CYCLE8", "MSG")  # without any of these the above finds nothing
 # Fanuc and the like, milling: control of the tool point, tilted planes, further offsets, looking ahead, macros
 _FANUC = re.compile(
-    r"(?im)^[^;(\n]*(?<![A-Z#\[])(?:G43\.[45]|G68\.2|G54\.1[ \t]*P\d|G0?5\.1[ \t]*Q[01]|G0?5[ \t]*P10000|"
-    r"G0?8[ \t]*P[01]|G6[56][ \t]*P\d|IF[ \t]*\[[^\n]*\][ \t]*(?:GOTO|THEN)|WHILE[ \t]*\[[^\n]*\][ \t]*DO)"
+    r"(?<![A-Z#\[])(?:G(?:43\.[45]|68\.2|54\.1[ \t]*P\d|0?5\.1[ \t]*Q[01]|0?5[ \t]*P10000|"
+    r"0?8[ \t]*P[01]|6[56][ \t]*P\d)|IF[ \t]*\[[^\n]*\][ \t]*(?:GOTO|THEN)|WHILE[ \t]*\[[^\n]*\][ \t]*DO)"
 )
 # how programs of Fanuc and the like begin: % and their number
 _NUMBERED = re.compile(r"(?i)(?:\xef\xbb\xbf)?\s*%[^\S\n]*\n\s*[O:]\d")
@@ -53,14 +54,20 @@ def dialect_of(text: str, said: Dialect | None = None, suffix: str = "") -> Dial
     """
     if is_klartext(text):
         return "heidenhain"
-    words = re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text)
-    if _SIEMENS.search(words):
+    words = re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text).upper()
+    if any(sign in words for sign in _OF_SIEMENS_ALONE) and _SIEMENS.search(words):
         return "siemens"
     if said in {"siemens", "heidenhain"} and _NUMBERED.match(text):
         return "fanuc"
-    if _FANUC.search(words) and not _TURRET.search(words):
+    if any(_says(words, found.start()) for found in _FANUC.finditer(words)) and not _TURRET.search(words):
         return "fanuc"
     return "siemens" if suffix.lower() in _OF_SIEMENS and not _NUMBERED.match(text) else None
+
+
+def _says(words: str, place: int) -> bool:
+    """Whether no comment begins in the line before this place."""
+    before = words[words.rfind("\n", 0, place) + 1 : place]
+    return ";" not in before and "(" not in before
 
 
 # capitals and no sign but a blank: older controls take no other in a comment

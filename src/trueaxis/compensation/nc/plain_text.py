@@ -49,6 +49,7 @@ _JOINED = tuple(
     (np.uint64((base << shift) + 1), np.uint64(shift), np.uint64(mask))
     for base, shift, mask in ((10, 8, 0x00FF00FF00FF00FF), (100, 16, 0x0000FFFF0000FFFF), (10_000, 32, 0xFFFFFFFF))
 )
+_NO_FIGURES = bytes(byte for byte in range(256) if chr(byte) not in _CLASSES[_DIGIT - 1])
 _MOTIONS = 4  # G0 to G3
 _CODES = 100  # of two digits
 _SEMICOLON = re.compile(r";[^\r\n]*+")
@@ -135,7 +136,7 @@ def plain_text(
     kind = of[place]
     ends = np.flatnonzero(kind == _NEWLINE)
     newline, line = place[ends], np.repeat(np.arange(ends.size), np.diff(ends, append=kind.size))
-    marks = Marks(place, kind, line, *_numbers(signs, of, place))
+    marks = Marks(place, kind, line, *_numbers(source, of, place))
     words = np.flatnonzero((kind >= _X) & (kind <= _Q))
     each = np.bincount(line[words], minlength=ends.size)
 
@@ -244,30 +245,32 @@ def _blanks(comment: re.Match[str]) -> str:
 
 
 def _numbers(
-    signs: NDArray[np.uint8], of: NDArray[np.uint8], marks: NDArray[np.int64]
+    source: bytes, of: NDArray[np.uint8], marks: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], FloatArray, NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
     """Of the numbers behind marks what Marks says of them: where they begin, and so on.
 
-    signs: all bytes; of: their classes.
+    of: classes of the bytes.
     """
-    # bytes are added up five times as fast as truth values
-    before, dots_before = (np.cumsum((of == kind).view(np.uint8), dtype=np.int32) for kind in (_DIGIT, _DOT))
-    digits, dots = (np.diff(so_far[marks], append=so_far[-1:]) for so_far in (before, dots_before))
-    dot, owner = np.flatnonzero(of == _DOT), np.repeat(np.arange(marks.size), dots)
-    decimals = np.zeros(marks.size, dtype=np.int64)
-    decimals[owner] = (before[marks] + digits)[owner] - before[dot]
-    last = signs.size - 1
-    first = np.minimum(marks + 1, last)
+    is_dot = of == _DOT
+    # adding up between marks is three times as fast as over all bytes, and bytes are faster than truth values
+    digits, dots = (np.add.reduceat(is_it.view(np.uint8), marks, dtype=np.int64) for is_it in (of == _DIGIT, is_dot))
+    first = np.minimum(marks + 1, of.size - 1)
     apart = np.flatnonzero(of[first] == _BLANK)
     if apart.size:
         solid = np.flatnonzero(of != _BLANK)
         first[apart] = solid[np.searchsorted(solid, first[apart])]
-    value = _whole_numbers(signs[of == _DIGIT], before[marks], digits)
-    size = value / _POWERS[np.minimum(decimals, _POWERS.size - 1)]
-    return first, np.where(signs[first] == ord("-"), -size, size), digits.astype(np.int64), dots, decimals
+    signed = of[first] == _SIGN
+    owner = np.repeat(np.arange(marks.size), dots)
+    decimals = np.zeros(marks.size, dtype=np.int64)
+    decimals[owner] = (first + signed + digits + dots)[owner] - 1 - np.flatnonzero(is_dot)
+    figures = np.frombuffer(source.translate(None, _NO_FIGURES), dtype=np.uint8)
+    value = _whole_numbers(figures, np.cumsum(digits) - digits, digits)
+    size = value / _POWERS[np.clip(decimals, 0, _POWERS.size - 1)]
+    minus = np.frombuffer(source, dtype=np.uint8)[first] == ord("-")
+    return first, np.where(minus, -size, size), digits, dots, decimals
 
 
-def _whole_numbers(figures: NDArray[np.uint8], begin: NDArray[np.int32], count: NDArray[np.int32]) -> NDArray[np.int64]:
+def _whole_numbers(figures: NDArray[np.uint8], begin: NDArray[np.int64], count: NDArray[np.int64]) -> NDArray[np.int64]:
     """The numbers that `count` figures make from `begin` on; of no use where they are more than 16."""
     room = np.concatenate([np.full(_EIGHT, ord("0"), dtype=np.uint8), figures])
     # the eight figures before each place
@@ -280,7 +283,7 @@ def _whole_numbers(figures: NDArray[np.uint8], begin: NDArray[np.int32], count: 
     return value
 
 
-def _of_eight(figures: NDArray[np.uint64], count: NDArray[np.int32]) -> NDArray[np.int64]:
+def _of_eight(figures: NDArray[np.uint64], count: NDArray[np.int64]) -> NDArray[np.int64]:
     """The number of the last `count` of eight figures, all at once: neighbours are joined, then pairs, then fours."""
     figures = figures & np.uint64(0x0F0F0F0F0F0F0F0F) & _LAST_OF_EIGHT[count]
     for factor, shift, mask in _JOINED:
