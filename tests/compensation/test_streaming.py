@@ -41,7 +41,7 @@ def test_the_size_of_batches_does_not_show(bench: Bench, words: str) -> None:
 def test_memory_does_not_grow_with_the_program(bench: Bench) -> None:
     machine = paper_sized()
     peaks = []
-    for blocks in (12_000, 40_000):  # both are more than is read at once
+    for blocks in (24_000, 80_000):  # both are more than is read at once
         text = wave(blocks).encode()
         bench.program.write_bytes(text)
         del text

@@ -252,8 +252,12 @@ def _numbers(
     of: classes of the bytes.
     """
     is_dot = of == _DOT
-    # adding up between marks is three times as fast as over all bytes, and bytes are faster than truth values
-    digits, dots = (np.add.reduceat(is_it.view(np.uint8), marks, dtype=np.int64) for is_it in (of == _DIGIT, is_dot))
+    # adding up between marks is three times as fast as over all bytes; bytes are faster than truth values, and int32
+    # than int64
+    digits, dots = (
+        np.add.reduceat(is_it.view(np.uint8), marks, dtype=np.int32).astype(np.int64)
+        for is_it in (of == _DIGIT, is_dot)
+    )
     first = np.minimum(marks + 1, of.size - 1)
     apart = np.flatnonzero(of[first] == _BLANK)
     if apart.size:
