@@ -56,6 +56,8 @@ class KlartextControl(Motions):
         elif match := re.match(r"CYCL DEF (20[0135])", text):
             self.cycle = {int(name): float(value) for name, value in re.findall(r"Q(\d+)=([-+\d.]+)", text)}
             self.cycle[0] = float(match[1])
+        elif match := re.match(r"CYCL DEF 1\.([1-5])\s*(?:DIST|SET UP|DEPTH|PLNGNG|PECKG|DWELL|F)\s*([-+.\d]+)", text):
+            self.cycle = {**(self.cycle if int(match[1]) > 1 else {}), int(match[1]): float(match[2]), 0: 1.0}
         elif match := re.match(r"(LP|L|CC|CP|CR|C)(?=\s|$)(.*)", text):
             self.path(match[1], match[2])
         if match := re.match(r"CYCL CALL POS X([-+\d.]+) Y([-+\d.]+) Z([-+\d.]+) FMAX", text):
@@ -75,6 +77,9 @@ class KlartextControl(Motions):
 
         201 (reaming) goes in one step; 201, 203 and 205 come back to the clearance at a feed, 203 between pecks too.
         """
+        if q[0] == 1.0:
+            self.peck(q)
+            return
         depth, clearance, bottom = q[203], q[203] + q[200], q[203] + q[201]
         back = q.get(208, 99999.0) == 99999.0
         self.deepen(clearance, True)
@@ -104,6 +109,20 @@ class KlartextControl(Motions):
             self.deepen(clearance, False)
         if back or q[204] > q[200]:
             self.deepen(q[203] + max(q[200], q[204]), True)
+
+    def peck(self, q: Mapping[int, float]) -> None:
+        """The older pecking: from where Z stands, back there by rapid after each infeed."""
+        start = (self.at[2] - self.shift(2, False)) / self.unit
+        bottom, depth = start - abs(q[1]) + q[2], start - abs(q[1]) - q[3]
+        ahead = 0.6 if -q[2] <= 30.0 else min(-q[2] / 50.0, 7.0)
+        self.deepen(start, True)
+        while depth > bottom:
+            self.deepen(depth, False)
+            self.deepen(start, True)
+            self.deepen(depth + ahead, True)
+            depth -= q[3]
+        self.deepen(bottom, False)
+        self.deepen(start, True)
 
     def break_chips(self, begin: float, end: float, q: Mapping[int, float]) -> None:
         """Within an infeed, each Q257 of its way."""

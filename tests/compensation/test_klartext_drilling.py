@@ -107,6 +107,24 @@ def test_other_drilling_cycles(tmp_path: Path, cycle: str, feeds: dict[str, int]
     assert "CALL POS" not in written
 
 
+OLDER = (
+    "CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 DIST-2.5\nCYCL DEF 1.2 DEPTH-{depth}\nCYCL DEF 1.3 PLNGNG8\n"
+    "CYCL DEF 1.4 DWELL0.2\nCYCL DEF 1.5 F170\n"
+)
+
+
+@pytest.mark.parametrize(("depth", "holes"), [("20", 3), ("40", 5), ("8", 1)])
+def test_the_older_pecking_begins_where_z_stands(tmp_path: Path, depth: str, holes: int) -> None:
+    calls = "L X+150 Y+3 R0 FMAX M99\nL Z+61.5 FMAX\nL X+120 FMAX\nCYCL CALL\nL Z+80 R0 FMAX\n"
+    source = f"{HEAD}L X+10 Y+5 Z+70 R0 FMAX M3\n{OLDER.format(depth=depth)}{calls}END PGM D MM\n"
+    written = compensated(tmp_path, source)
+    before, after = largest_error(source, written)
+    assert before > 0.01
+    assert after < ALONG
+    assert len(re.findall(r"^L .* F170$", written, re.MULTILINE)) == 2 * holes
+    assert written.count("DWELL 0.2\n") == 2
+
+
 def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
     blocks = "L X+50 F100\nL X+60\n"
     assert not [note for note in notes_of(tmp_path, CYCLE.format(peck=9, second=9) + blocks) if "written out" in note]
@@ -139,6 +157,10 @@ def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
             CYCLE.format(peck=9, second=9) + "CYCL DEF 207 TAPPING~\n Q200=2\nCYCL CALL M3",
             "CYCL DEF 207 is called, whose",
         ),
+        (OLDER.format(depth="Q5") + "CYCL CALL", "CYCL DEF 1 is called without its five values"),
+        (OLDER.format(depth="-5") + "CYCL CALL", "CYCL DEF 1 is called without its five values"),
+        (OLDER.replace("-{depth}", "+5") + "CYCL CALL", "CYCL DEF 1 is called with a depth 1.2 that is not below 0"),
+        (OLDER.format(depth=5) + "L M140 MB MAX\nCYCL CALL", "CYCL DEF 1 from where Z is not certain"),
         (UNIVERSAL.replace("Q213=0", "Q213=1.5") + "CYCL CALL", "with Q213, a number of breaks"),
         (PECKING.replace("Q212=0", "Q212=2").replace("Q205=3", "Q205=0") + "CYCL CALL", "more than 10000 pecks"),
         (PECKING.replace("Q257=0", "Q257=0.001") + "CYCL CALL", "more than 10000 pecks"),
@@ -161,4 +183,4 @@ def test_calls_that_are_not_followed_are_named(tmp_path: Path, blocks: str, word
         compensated(tmp_path, f"{HEAD}L X+0 Y+0 Z+50 R0 FMAX\n{blocks}\nEND PGM D MM\n")
     assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
     if "M99 calls" in words:
-        assert "CYCL DEF 200, 201, 203 and 205 with numbers" in caught.value.faults[0].remedy
+        assert "CYCL DEF 1, 200, 201, 203 and 205 with numbers" in caught.value.faults[0].remedy

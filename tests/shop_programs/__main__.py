@@ -9,6 +9,7 @@ from collections import Counter
 from dataclasses import asdict
 from pathlib import Path
 
+from tests.shop_programs import klartext
 from tests.shop_programs.grade import Grade, all_grades, different
 
 # of Debian 12: programs and interpreter, what it needs, and headers for splines
@@ -57,9 +58,17 @@ def main() -> None:
     grading.add_argument("--via-linuxcnc", action="store_true", help="unroll the programs first")
     grading.add_argument("--share", type=float, default=1.0, help="of the different programs, drawn by --seed")
     grading.add_argument("--seed", type=int, default=1)
+    commands.add_parser("klartext", help="Heidenhain's").add_argument("folders", type=Path, nargs="+")
     args = parser.parse_args()
     if args.command == "fetch":
         fetch(args.folder)
+        return
+    if args.command == "klartext":
+        programs = different(sorted(path for at in args.folders for path in at.rglob("*") if klartext.is_program(path)))
+        with tempfile.TemporaryDirectory() as folder:
+            graded = [klartext.grade(program, Path(folder) / "out.h") for program in programs]
+        print(table(graded, 0))
+        print("\n".join(f"{one.outcome}: {one.name}: {one.reason}" for one in graded if one.reason))
         return
     paths = {path for folder in args.folders for path in folder.rglob("*")}
     found = sorted(path for path in paths if path.suffix.lower() in SUFFIXES and path.is_file())

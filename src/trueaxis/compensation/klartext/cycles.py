@@ -25,6 +25,9 @@ _BARE = re.compile(r"(?:L[ \t]*)?(?:R0[ \t]*)?(?:FMAX[ \t]*)?", re.IGNORECASE)
 # spindle, contours, tilt, tolerance, preset
 _AT_ONCE = frozenset({7, 8, 9, 10, 11, 13, 14, 19, 20, 26, 32, 247})
 _RAPID = 99999.0  # of a feed: FMAX
+PECKING = 1  # the older cycle: from where Z stands, with its values in blocks of their own
+_OLDER = re.compile(rf"CYCLE?[ \t]+DEF[ \t]+1\.([1-5])[^-+\d]*({NUMBER})[ \t]*$", re.IGNORECASE | re.MULTILINE)
+_ABOVE, _SHALLOW, _MOST_ABOVE = 0.6, 30.0, 7.0  # mm: where its feed begins again, see Drilling; 1/50 of deeper holes
 _BACK = frozenset({208, 253, 373})  # feeds out of the hole and back to the depth
 _ALWAYS = frozenset({200, 201, 203, 206})
 # Q that each cycle has, and may have
@@ -34,7 +37,7 @@ _PARTS = {
     203: (_ALWAYS | {202}, frozenset({204, 205, 208, 210, 211, 212, 213, 256, 395})),
     205: (_ALWAYS | {202}, frozenset({204, 205, 208, 211, 212, 253, 256, 257, 258, 259, 373, 379, 395})),
 }
-_NAMES = [str(number) for number in _PARTS]
+_NAMES = [str(number) for number in (PECKING, *_PARTS)]
 PLAIN_CYCLES = (
     f"CYCL DEF {', '.join(_NAMES[:-1])} and {_NAMES[-1]} with numbers are followed; have others written out as L"
 )
@@ -86,9 +89,10 @@ class Drilling(NamedTuple):
 
 
 class NotFollowed(NamedTuple):
-    """A cycle that is defined and may not be called: what of it is not followed."""
+    """A cycle that is defined and may not be called: what of it is not followed. given: of CYCL DEF 1, by number."""
 
     problem: str
+    given: tuple[tuple[int, float], ...] = ()
 
 
 def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotFollowed | None:
@@ -98,6 +102,8 @@ def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotF
     if definition is None or int(definition[1]) in _AT_ONCE:
         return before
     number, name = int(definition[1]), f"CYCL DEF {definition[1]}"
+    if number == PECKING:
+        return _pecking(plain, before)
     if number not in _PARTS:
         return NotFollowed(f"{name} is called, whose motions are not followed")
     values = {int(q): value for q, value in _VALUE.findall(plain)}
@@ -111,6 +117,25 @@ def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotF
     given = {} if wrong else {q: _RAPID if _is_rapid(q, value) else float(value) for q, value in values.items()}
     wrong += _problems(given) if given else []
     return NotFollowed(f"{name} is called {wrong[0]}") if wrong else _drilling(number, given)
+
+
+def _pecking(plain: str, before: Drilling | NotFollowed | None) -> Drilling | NotFollowed:
+    """CYCL DEF 1, whose values stand in five blocks, as far as this one; lengths from where Z stands when called."""
+    found = _OLDER.search(plain)
+    given = {} if found is None or not isinstance(before, NotFollowed) else dict(before.given)
+    if found is not None:
+        given[int(found[1])] = float(found[2])
+    clearance, depth, peck, dwell, feed = (given.get(number) for number in range(1, 6))
+    if None in (clearance, depth, peck, dwell, feed):
+        return NotFollowed("CYCL DEF 1 is called without its five values as numbers", tuple(given.items()))
+    q = {200: abs(clearance or 0.0), 201: depth or 0.0, 202: abs(peck or 0.0), 203: -abs(clearance or 0.0),
+         206: feed or 0.0, 211: dwell or 0.0}  # fmt: skip
+    if wrong := _problems(q):
+        return NotFollowed(f"CYCL DEF 1 is called {wrong[0]}".replace("Q201", "1.2").replace("Q206", "1.5"))
+    size = abs(depth or 0.0)
+    above = _ABOVE if size <= _SHALLOW else min(size / 50.0, _MOST_ABOVE)
+    made = _drilling(PECKING, q)
+    return made if isinstance(made, NotFollowed) else made._replace(above=(above, above))
 
 
 def _is_rapid(q: int, value: str) -> bool:

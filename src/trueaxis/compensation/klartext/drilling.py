@@ -5,15 +5,17 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from trueaxis.compensation.klartext.blocks import KlartextBlock
-from trueaxis.compensation.klartext.cycles import PLAIN_CYCLES, SAME, Call, Drilling, NotFollowed
+from trueaxis.compensation.klartext.cycles import PECKING, PLAIN_CYCLES, SAME, Call, Drilling, NotFollowed
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Split
-from trueaxis.compensation.nc.state import Commanded, NcState, missing_axes, unknown_position
+from trueaxis.compensation.nc.state import Commanded, NcState
+from trueaxis.compensation.nc.straight import straight_to
 from trueaxis.compensation.settings import Settings
 
 WRITTEN_OUT = (
     "CYCL DEF {0} is written out as L where it is called; between pecks it goes back to {1} above the last depth"
 )
+_ABOVE = {PECKING: "0.6 to 7 mm", 205: "Q258"}
 _DWELLS = -1  # beside the kinds of motions
 _DWELL = "{0}CYCL DEF 9.0 DWELL TIME{2}{0}CYCL DEF 9.1 DWELL {1:g}{2}"
 
@@ -76,7 +78,13 @@ class HoleWriter:
                 self._number, "a drilling cycle where X or Y is not certain, or under M128", "command them before, M129"
             )
             return
-        self._notes.add(self._number, WRITTEN_OUT.format(drilling.number, "Q258" if drilling.number == 205 else "Q200"))
+        if drilling.number == PECKING:
+            row, z = state.row["Z"], state.position[state.row["Z"]]
+            if z is None or state.commanded.of([row]) < Commanded.ABSOLUTE:
+                self._faults.add(self._number, "CYCL DEF 1 from where Z is not certain", "L Z before the call")
+                return
+            drilling = drilling.raised((z - (state.shift[row] if state.shift else 0.0)) / state.scale("Z"))
+        self._notes.add(self._number, WRITTEN_OUT.format(drilling.number, _ABOVE.get(drilling.number, "Q200")))
         for what, z, feed in _steps(drilling):
             if what == _DWELLS:
                 yield _DWELL.format(self._head, z, self._eol)
@@ -85,22 +93,16 @@ class HoleWriter:
 
     def _go(self, kind: Kind, z: float, feed: float) -> Iterator[Item]:
         """A straight motion to Z, as written."""
-        state, row = self._state, self._state.row["Z"]
-        end = list(state.position)
-        end[row] = z * state.scale("Z") + (state.shift[row] if state.shift else 0.0)
-        state.motion = int(kind)
-        if kind and (missing := missing_axes(state, state.position, end, {"Z"})):
-            self._faults.add(self._number, *unknown_position(state, missing))
+        state, shift = self._state, self._state.shift
+        to = z * state.scale("Z") + (shift[state.row["Z"]] if shift else 0.0)
+        made = straight_to(self._number, kind, {"Z": to}, state, self._assumed, self._faults)
+        if not isinstance(made, Move):
+            self._faults.add(self._number, *made)
             return
-        state.position, state.moved = end, True
-        written = tuple(axis == "Z" for axis in state.axes)
         lead, tail = f"{self._head}L ", f" F{feed:g}" if kind else " FMAX"
-        known = tuple(self._assumed[n] if value is None else value for n, value in enumerate(end))
-        yield Move(
-            self._number, kind, known, written, True, state.inch, lead, tail, " ", self._eol, "", lead,
-            Split(lead, tail, ""), passable=False, feed=feed * (2.54 if state.inch else 1.0),
-            held=state.commanded.command(written, True), elsewhere=state.commanded.elsewhere,
-            unnamed=state.commanded.unnamed, shift=state.shift,
+        yield made._replace(
+            lead=lead, tail=tail, gap=" ", eol=self._eol, again=lead, split=Split(lead, tail, ""),
+            feed=feed * (2.54 if state.inch else 1.0),
         )  # fmt: skip
 
 

@@ -8,7 +8,8 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc.lexer import Block, Meaning, due_at_end
-from trueaxis.compensation.nc.state import NcState, missing_axes, starts_elsewhere, unknown_position
+from trueaxis.compensation.nc.state import NcState
+from trueaxis.compensation.nc.straight import straight_to
 
 MOST_PECKS = 10_000
 
@@ -113,46 +114,20 @@ class CycleWriter:
 
     def go(self, kind: Kind, ends: dict[str, float]) -> bool:
         """A straight motion of some axes, to machine positions, mm; False after a fault."""
-        state = self._state
-        end = list(state.position)
-        for axis, value in ends.items():
-            end[state.row[axis]] = value
-        written = tuple(axis in ends for axis in state.axes)
-        before = self._faults.count
-        state.motion = int(kind)
-        if kind != Kind.RAPID and (missing := missing_axes(state, state.position, end, set(ends))):
-            state.motion = None
+        state, before = self._state, self._faults.count
+        made = straight_to(self._number, kind, ends, state, self._assumed, self._faults)
+        if not isinstance(made, Move):
             if not self._wrong:
-                self.fault(*unknown_position(state, missing))
+                self.fault(*made)
             return False
-        elsewhere = starts_elsewhere(self._number, state, written, "", self._faults)
-        state.motion = None
-        state.position, state.in_force, state.moved = end, int(kind), True
+        state.in_force = int(kind)
         lead = self._lead + ("G1" if kind else "G0") + state.gap
-        held = state.commanded.command(written, state.absolute)
         self._items.append(
-            Move(
-                self._number,
-                kind,
-                tuple(self._assumed[row] if v is None else v for row, v in enumerate(end)),
-                written,
-                state.absolute,
-                state.inch,
-                lead,
-                self._comment,
-                state.gap,
-                self._eol,
-                "",
-                self._again,
-                passable=False,
+            made._replace(
+                lead=lead, tail=self._comment, gap=state.gap, eol=self._eol, again=self._again,
                 feed=state.feed_in_minutes,
-                held=held,
-                elsewhere=state.commanded.elsewhere,
-                unnamed=state.commanded.unnamed,
-                shift=state.shift,
-                start_stated=elsewhere,
             )
-        )
+        )  # fmt: skip
         self._lead, self._comment = self._again, ""
         return self._faults.count == before
 

@@ -14,7 +14,7 @@ from trueaxis.compensation.columns import NO_ARCS, BlockPlaces, PlainRun, column
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.moves import Kind
 from trueaxis.compensation.nc import g_codes as codes
-from trueaxis.compensation.nc.plain_text import LETTERS, PlainText
+from trueaxis.compensation.nc.plain_text import LETTERS, Codes, PlainText
 from trueaxis.compensation.nc.state import NcState
 
 MOST_MOTIONS = 16384  # of a run: a batch
@@ -54,52 +54,73 @@ def begin_again(state: NcState, hole: Hole) -> None:
     state.before_cycle = int(Kind.RAPID)
 
 
-def holes_alike(lines: PlainText, first: int, last: int, state: NcState, hole: Hole) -> int:
+class Part(NamedTuple):
+    """Some lines of a text, from the first up to the last."""
+
+    lines: PlainText
+    first: int
+    last: int
+
+    @property
+    def moves(self) -> NDArray[np.bool_]:
+        """Which of them have words of axes."""
+        return np.diff(self.lines.first[self.first : self.last + 1]) > 0
+
+    @property
+    def modes(self) -> Codes:
+        """Their codes of modes."""
+        return self.lines.modes.of(self.first, self.last)
+
+    @property
+    def words(self) -> tuple[NDArray[np.int64], FloatArray, NDArray[np.int64]]:
+        """Letters, values and lines, from 0, of their words of axes."""
+        of = slice(*self.lines.first[[self.first, self.last]].tolist())
+        return self.lines.letter[of], self.lines.value[of], self.lines.line[of] - self.first
+
+
+class _Marks(NamedTuple):
+    """Which lines are rapids to further holes, and which end the cycle, each (n,)."""
+
+    places: NDArray[np.bool_]
+    ends: NDArray[np.bool_]
+
+
+def holes_alike(part: Part, state: NcState, hole: Hole) -> int:
     """Up to which of these plain lines are holes that can be taken together, with text, and ends and new beginnings of
     the cycle, between them; the first itself if it is none.
     """
-    part = slice(first, last)
-    moves = np.diff(lines.first[first : last + 1]) > 0
-    places = moves & (lines.code[part] == int(Kind.RAPID)) & hole.begins_again
-    modes = lines.modes.of(first, last)
+    lines, first, last = part
+    of, moves, modes = slice(first, last), part.moves, part.modes
+    places = moves & (lines.code[of] == int(Kind.RAPID)) & hole.begins_again
     ends = np.zeros(moves.size, dtype=bool)
     ends[modes.line[modes.number == _END]] = hole.begins_again
-    again, astray = _turns(lines, first, last, state, hole, places, ends)
-    wrong = astray | _otherwise(lines, first, last, state.plane, hole, places) | ((lines.code[part] >= 0) & ~places)
+    again, astray = _turns(part, state, hole, _Marks(places, ends))
+    wrong = astray | _otherwise(part, state.plane, hole, places) | ((lines.code[of] >= 0) & ~places)
     wrong[lines.switches.of(first, last).line] = True
     start = int(lines.starts[first])
     solid = np.concatenate([[0], np.cumsum(~_BLANK[lines.source[start : lines.starts[last]]])])
-    line_ends = lines.starts[first + 1 : last + 1] - 1 - lines.returned[part] - start
-    last_word = np.maximum(lines.tail[part], lines.feed_end[part]) - start
+    line_ends = lines.starts[first + 1 : last + 1] - 1 - lines.returned[of] - start
+    last_word = np.maximum(lines.tail[of], lines.feed_end[of]) - start
     behind = solid[line_ends] - solid[np.where(moves, last_word, 0)] > 0
-    wrong |= moves & (behind | (lines.returned[part] != lines.returned[first]))
-    shows = moves & (lines.blank[part] | several_words(lines, part))
-    wrong |= shows & (lines.blank[part] != (state.gap == " "))
+    wrong |= moves & (behind | (lines.returned[of] != lines.returned[first]))
+    shows = moves & (lines.blank[of] | several_words(lines, of))
+    wrong |= shows & (lines.blank[of] != (state.gap == " "))
     if isinstance(hole.steps[-1][0], str):  # what comes after the last motion and what stands behind the line
         wrong |= ~moves
     wrong[0] |= not moves[0]
     most = max(MOST_MOTIONS // len(hole.steps), 1)
     wrong |= np.cumsum(moves) > most
     count = int(np.argmax(wrong)) if wrong.any() else moves.size
-    begun, ended = (np.append(np.flatnonzero(of[:count]), -1) for of in (again, ends))
+    begun, ended = (np.append(np.flatnonzero(which[:count]), -1) for which in (again, ends))
     return first + (int(ended[-2]) if ended.size > 1 and begun[-2:].max() < ended[-2] else count)
 
 
-def _turns(
-    lines: PlainText,
-    first: int,
-    last: int,
-    state: NcState,
-    hole: Hole,
-    places: NDArray[np.bool_],
-    ends: NDArray[np.bool_],
-) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _turns(part: Part, state: NcState, hole: Hole, marks: _Marks) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Where the cycle begins again, and which lines it is no such turn for: rapids or an end where it is in force,
-    holes or an end where it is not. places, ends: whether each line is a rapid, and an end.
+    holes or an end where it is not.
     """
-    words, count = slice(*lines.first[[first, last]].tolist()), last - first
-    letter, value, line = lines.letter[words], lines.value[words], lines.line[words] - first
-    modes = lines.modes.of(first, last)
+    (places, ends), (letter, value, line), modes = marks, part.words, part.modes
+    count = places.size
     says = np.zeros(count, dtype=bool)
     says[modes.line[modes.number == hole.code]] = True
     of_end, of_cycle = _latest(ends), _latest(says)
@@ -116,8 +137,7 @@ def _turns(
     complete = np.bincount(line[np.isin(letter, [LETTERS.index(name) for name in hole.words])], minlength=count)
     astray = again & ((complete < len(hole.words)) | (_latest(places) < of_end))
     astray |= again & (of_level > of_end) & (level[np.maximum(of_level, 0)] != hole.level)
-    holes = np.diff(lines.first[first : last + 1]) > 0
-    holes &= ~places
+    holes = part.moves & ~places
     return again, astray | np.where(out, (holes & ~says) | ends, places)
 
 
@@ -127,29 +147,28 @@ def _latest(of: NDArray[np.bool_]) -> NDArray[np.int64]:
     return np.concatenate([[-1], found[:-1]])
 
 
-def _otherwise(
-    lines: PlainText, first: int, last: int, plane: int, hole: Hole, places: NDArray[np.bool_]
-) -> NDArray[np.bool_]:  # fmt: skip
+def _otherwise(part: Part, plane: int, hole: Hole, places: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which of these lines say anything but where a further hole is, F, and again what is in force; rapids (`places`)
     anything but where they go, and ends of the cycle anything else.
     """
-    words = slice(*lines.first[[first, last]].tolist())
-    letter, value, line = lines.letter[words], lines.value[words], lines.line[words] - first
+    lines, first, last = part
+    letter, value, line = part.words
+    decimals = lines.decimals[slice(*lines.first[[first, last]].tolist())]
     across, along = (letter == LETTERS.index(axis) for axis in codes.PLANES[plane][:2])
     named = np.zeros(last - first, dtype=bool)
     named[line[across | along]] = True
     wrong = np.zeros(last - first, dtype=bool)
     again = across | along
     for name, known in hole.words.items():  # Q without a decimal point may count otherwise
-        again |= (letter == LETTERS.index(name)) & (value == known) & ((name != "Q") | (lines.decimals[words] >= 0))
+        again |= (letter == LETTERS.index(name)) & (value == known) & ((name != "Q") | (decimals >= 0))
     again = np.where(places[line], letter <= _LAST_LINEAR, again)
     wrong[line[~again]] = True
-    modes = lines.modes.of(first, last)
+    modes = part.modes
     ends = modes.number == _END
     wrong[modes.line[~np.isin(modes.number, [hole.code, hole.returns, *[_END] * hole.begins_again])]] = True
     same = (np.diff(modes.line) == 0) & (ends[1:] | ends[:-1] | (modes.number[1:] == modes.number[:-1]))
     wrong[modes.line[1:][same]] = True
-    says = np.isfinite(lines.feed[first:last]) | (np.diff(lines.first[first : last + 1]) > 0)
+    says = np.isfinite(lines.feed[first:last]) | part.moves
     wrong[modes.line[ends]] |= says[modes.line[ends]]
     says[modes.line[~ends]] = True
     return wrong | (says & np.where(places, np.isfinite(lines.feed[first:last]), ~named)) | _marked(places, modes.line)
@@ -163,9 +182,7 @@ def _marked(places: NDArray[np.bool_], line: NDArray[np.int64]) -> NDArray[np.bo
 
 
 def holes_run(
-    lines: PlainText,
-    first: int,
-    last: int,
+    part: Part,
     number: int,
     table: tuple[NDArray[np.bool_], FloatArray, FloatArray],
     state: NcState,
@@ -176,8 +193,8 @@ def holes_run(
     table: which axes the lines that move name, those of holes without the one that drills, and where they go, mm and
     deg, each (n_axes, n), and their F (n,).
     """
-    named, ends_of_lines, feed = table
-    index = first + np.flatnonzero(np.diff(lines.first[first : last + 1]) > 0)
+    (lines, first, last), (named, ends_of_lines, feed) = part, table
+    index = first + np.flatnonzero(part.moves)
     drills = lines.code[index] < 0
     eol = "\r\n" if lines.returned[first] else "\n"
     motions: list[tuple[Kind, float]] = [(Kind.RAPID, 0.0)]  # over the hole, then what is done there
@@ -194,7 +211,7 @@ def holes_run(
     ends[hole.depth] = np.tile([hole.level, *(z for _, z in motions[1:])], index.size)
     ends[hole.depth, ::each] = ends_of_lines[hole.depth]
     written[:, :, 0], written[hole.depth, :, 1:] = named, True
-    places, leads = _places(lines, first, last, index, behind, (state.gap, hole))
+    places, leads = _places(part, index, behind, (state.gap, hole))
     of = np.flatnonzero(np.repeat(drills, each) | (np.arange(drills.size * each) % each == 0))  # rapids: one motion
     return PlainRun(
         line=np.repeat(number + index - first, each)[of],
@@ -212,13 +229,14 @@ def holes_run(
 
 
 def _places(
-    lines: PlainText, first: int, last: int, index: NDArray[np.int64], behind: list[str], of_holes: tuple[str, Hole]
+    part: Part, index: NDArray[np.int64], behind: list[str], of_holes: tuple[str, Hole]
 ) -> tuple[BlockPlaces, str]:
     """Where the text of the motions is, in that of the lines with what stands behind each motion of a hole after it,
     and then the second result: N, F and the return of lines with other words than those of X and Y.
 
     N and F stand before the first motion, the line's own end and the text behind it behind the last.
     """
+    lines, first, last = part
     start = int(lines.starts[first])
     solid = start + np.flatnonzero(~_BLANK[lines.source[start : lines.starts[last]]])
     lead = lines.lead[index]
@@ -238,7 +256,7 @@ def _places(
         of[at] - start for of in (lines.starts, lines.lead, lines.tail)
     )
     after[rapids, 0] = after[rapids, -1]
-    modes = lines.modes.of(first, last)
+    modes = part.modes
     again = np.isfinite(lines.feed[index])
     again[np.searchsorted(index, modes.line[modes.number != _END] + first)] = True
     leads = [_lead(lines, line, *of_holes) for line in index[again].tolist()]

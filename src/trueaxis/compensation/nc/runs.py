@@ -20,7 +20,7 @@ from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.modes import codes_in_force
 from trueaxis.compensation.nc.plain_text import LETTERS, PlainText, plain_text
 from trueaxis.compensation.nc.run_arcs import ArcReader
-from trueaxis.compensation.nc.run_holes import begin_again, holes_alike, holes_run, several_words
+from trueaxis.compensation.nc.run_holes import Part, begin_again, holes_alike, holes_run, several_words
 from trueaxis.compensation.nc.state import Commanded, NcState
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
@@ -109,7 +109,7 @@ class RunReader:
         if lines.blank[first] or several_words(lines, slice(first, first + 1))[0]:
             state.gap = " " if lines.blank[first] else ""
         hole = self._cycles.further()
-        last = end if hole is None else holes_alike(lines, first, end, state, hole)
+        last = end if hole is None else holes_alike(Part(lines, first, end), state, hole)
         if hole is None or last - first < FEWEST_HOLES:
             self._read.none_before, state.gap = max(last, first + 1), before
             return None
@@ -119,7 +119,7 @@ class RunReader:
         written[hole.depth, drills[moves]] = False
         feed, in_minutes = self._feed(first, last)
         table = written, _positions(state, self._start(), written, given), in_minutes[moves]
-        run = holes_run(lines, first, last, number, table, state, hole)
+        run = holes_run(Part(lines, first, last), number, table, state, hole)
         state.position, state.in_force = run.ends[:, -1].tolist(), int(run.motion[-1])
         state.feed = float(feed[-1])
         self._cycles.note_holes(number, int(drills.sum()))
