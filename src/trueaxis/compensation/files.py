@@ -42,8 +42,8 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
 
 LONGEST_LINE = 65536
-# Bytes read: some 10 000 blocks. A run ends where they do: with half of it, and half the points of a batch, `cam` and
-# `half` of benchmarks/compensate_blocks.py took 10 to 12 % longer, in turns in one process.
+# Bytes read: some 10 000 blocks. A run ends where they do: with half of it, `half` of benchmarks/compensate_blocks.py
+# took 4 to 6 % longer, in turns in one process; with twice the points of a batch as well, `cycles` took 17 % longer.
 _AT_ONCE = 262144
 _ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})

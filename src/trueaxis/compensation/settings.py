@@ -92,7 +92,7 @@ class Settings:
     judged: bool = False
     temperature: float | None = None
     time: float | None = None
-    batch_points: int = 32768
+    batch_points: int = 16384
 
     def __post_init__(self) -> None:
         if problems := [*self._problems(), *self._unknown_tool()]:
