@@ -1,7 +1,7 @@
 """CYCLE81, CYCLE82 and CYCLE83 of SINUMERIK: what their arguments ask for, and the motions of a hole.
 
-The order of the arguments is that of Siemens' Programming Guide Cycles for 840D/840Di/810D, 2.1, and of Autodesk's
-posts, which have _GMODE, _DMODE and _AMODE behind them.
+The order of the arguments is that in which Autodesk's posts for SINUMERIK 840D write them, _GMODE, _DMODE and _AMODE
+last.
 """
 
 import re
