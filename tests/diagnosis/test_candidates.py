@@ -14,6 +14,8 @@ from trueaxis.diagnosis.causes.search import WORTH_ZOOMING
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.effects.grids import OF_DIAGNOSIS, Covered
+from trueaxis.estimation.effects.grids import grid_of as grid_of_covered
 
 
 def found(design: Design, machine: str = "table_mill") -> tuple[Effect, ...]:
@@ -158,3 +160,15 @@ def test_a_long_axis_is_searched_for_the_pitches_that_screws_have(machine: str, 
     assert min(pitches) < shortest
     steps = np.diff(1.0 / np.array(pitches)) * float(np.ptp(rows.positions[rows.axes.index(axis)]))
     assert steps == pytest.approx(0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize("pause_h", [0.0, 24.0, 200.0])
+def test_time_constants_of_the_first_hours_are_searched_whatever_pauses_follow(pause_h: float) -> None:
+    """A machine warms up in an hour or two: as finely as in the readings of the first day alone, and of each day on."""
+    day = np.linspace(0.0, 7200.0, 100)
+    time = np.concatenate([1e6 + day, 1e6 + 7200.0 + 3600.0 * pause_h + day])
+    kind = field(SMALL).readings.model.machine.kinds["warm_up"]
+    constants = np.array([point["tau"] for point in grid_of_covered(kind, Covered(time=time), OF_DIAGNOSIS)])
+    assert constants.min() < 1000.0
+    assert constants.max() > np.ptp(time)
+    assert (constants[1:] / constants[:-1] < 2.2).all()

@@ -132,8 +132,8 @@ class Stale:
     """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
     location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
     values being right, the others stale; bent: whether the change is that, halfway, from the straight line between the
-    two places;
-    alike: other components whose change explains the readings about as well; effects: of the library that do.
+    two places; alike: other components whose change explains the readings about as well; effects: of the library that
+    do.
     """
 
     component: str

@@ -124,7 +124,7 @@ def _values(parameter: Parameter, covered: Covered, fineness: Fineness) -> list[
     if parameter.grid == "moment":
         return moments(known, fineness) or [float(np.mean(known)) if known.size else 0.0]
     if parameter.grid == "time":
-        since = known - known.min(initial=np.inf) if known.size else np.zeros(1)
+        since = known - known.min() if known.size else np.zeros(1)
         longest, early = 2.0 * float(since.max()), float(np.quantile(since, EARLY))
         shortest = early or longest / 40.0  # of a single moment, or few
         count = 1 + int(np.ceil(np.log(longest / shortest) / np.log(APART))) if longest > 0.0 else 1
