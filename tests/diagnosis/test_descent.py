@@ -102,6 +102,7 @@ def test_the_descent_comes_at_least_as_low_as_scipy() -> None:
         here = of(at)
         return here.value, here.slope
 
-    expected = minimize(both, x, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": 1e-12})
+    ends = [(low, high) for low, high in bounds.tolist()]
+    expected = minimize(both, x, jac=True, method="L-BFGS-B", bounds=ends, options={"ftol": 1e-12})
     _, value = least(of, x, *bounds.T)
     assert value < expected.fun + 0.05
