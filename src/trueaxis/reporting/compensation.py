@@ -20,7 +20,7 @@ _FAILURES: dict[Failure, str] = {
     "out of travel": "points out of travel",
     "tool axis above tolerance": "tool axis above its tolerance",
     "above within ranges of offsets": "not good for all work offsets in the ranges given",
-    "above at other places of axes": "not good wherever axes may stand",
+    "above at other places of axes": "points above the tolerance where axes may stand that are not commanded yet",
     "nothing moves": "nothing in the program moves an axis",
 }
 

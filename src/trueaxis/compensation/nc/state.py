@@ -283,7 +283,7 @@ def unknown_position(state: NcState, rows: Sequence[int]) -> tuple[str, str]:
     problem = f"the position of {' '.join(state.axes[row] for row in rows)} is not known here"
     if lost := [state.axes[row] for row in rows if row in state.lost]:
         # where an axis stood before the program says nothing of where it went since
-        went = "a reference point not in the spec, a switch of tool centre point control or a retraction"
+        went = "a reference point not in the spec, a switch of tool centre point control, a retraction or a K0 or L0"
         return (
             f"{problem} after {went}, and the errors depend on it",
             f"a rapid with {' '.join(lost)} before this block",
