@@ -44,7 +44,7 @@ def test_the_size_of_batches_does_not_show(bench: Bench, batch: int) -> None:
 
 def test_memory_does_not_grow_with_the_program(bench: Bench) -> None:
     peaks = []
-    for blocks in (12_000, 30_000):  # both more than is read at once
+    for blocks in (24_000, 48_000):  # both more than is read at once
         text = wave(blocks)
         tracemalloc.start()
         bench.run(text, plain(BACKLASH | {LAG: {"tau": 0.001}}), batch_points=2000)

@@ -69,11 +69,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
     null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
-    null, ground, judged, changes, standing = _judged(model, null, options)
-    # neither looks at the readings: where there are threads they are worked out beside what follows
+    null, ground, judged, changes = _with_runs(model, null, options)
+    # neither needs the other: where there are threads both are worked out at once
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
-    options.progress("runs")
-    judged, changes = judged_runs(ground, null, judged, changes, standing)
     options.progress("gain")
     (audited,), (prospect,) = audits, prospects
     outcome = _outcome(ground, null, judged, changes)
@@ -115,6 +113,17 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
     return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
+
+
+def _with_runs(model: MachineModel, null: Null, options: DiagnoseOptions) -> tuple[Null, Ground, Judged, Changes]:
+    """All that may be said; a run that looks wrong may only hold a reading that is spoilt, and that causes hide."""
+    null, ground, judged, changes, standing = _judged(model, null, options)
+    options.progress("runs")
+    of_all, changes_beside = judged_runs(ground, null, judged, changes, standing)
+    if of_all.misfits and judged.causes and (named := _without_spoilt(model, null, judged.causes, options)):
+        null, ground, judged, changes, standing = named
+        of_all, changes_beside = judged_runs(ground, null, judged, changes, standing)
+    return null, ground, of_all, changes_beside
 
 
 def _judged(

@@ -10,7 +10,7 @@ from scipy.linalg import cholesky, solve_triangular
 from tests.hidden_effects.power.grade import Name
 from tests.worlds.design import Design
 from tests.worlds.diagnosis.cases import Bench, Case, bench_of, draw_case
-from tests.worlds.diagnosis.library import Candidate, candidates, fine
+from tests.worlds.diagnosis.library import SEARCHED, Candidate, candidates, fine
 from tests.worlds.diagnosis.limits import CONFOUNDED, DEGREE, DETECTION, ISOLATION, RANK, _lasting, limit_of
 from tests.worlds.diagnosis.signatures import largest, pitch_of, signature
 from tests.worlds.effects import Effect
@@ -38,6 +38,9 @@ def flat_columns(design: Design) -> Array:
         blocks.append(jac.here[name][:, None] * values - jac.home[name][:, None] * at_home)
     blocks += [jac.located[name][:, None] for name in design.machine.locations]
     warm = tuple(unknown for unknown in design.shop.unknowns if unknown.kind == "warm_bar")
+    for index, run in enumerate(design.plan.runs):
+        if run.instrument == "ballbar":
+            blocks.append((design.plan.run == index)[:, None].astype(float))
     for unknown in (*every_unknown(design.machine, design.plan), *warm):
         column = np.zeros((design.plan.count, 1))
         column[unknown.rows, 0] = unknown.column
@@ -99,9 +102,15 @@ def test_strength_and_nearest_rival_are_those_of_a_dense_fit(effect: Effect) -> 
     assert found.strength == pytest.approx(float(left @ left), rel=0.02)
     own, _ = best_by_hand(left, [one for one in candidates(design, fine(name, 0.0)) if one.name == name])
     assert found.own == pytest.approx(own, abs=0.02)
-    r2, rival = best_by_hand(left, [one for one in candidates(design) if one.name != name])
+    others = {one.name for one in candidates(design) if one.name.kind in SEARCHED} - {name}
+    finely = [
+        each for other in others if other.component == name.component for each in candidates(design, fine(other, 0.0))
+    ]
+    every = [*(one for one in candidates(design) if one.name != name), *finely]
+    r2, _ = best_by_hand(left, every)
     assert found.r2 == pytest.approx(r2 / own, abs=0.02)
-    assert found.rival == rival  # figures: to where the two decompositions draw the line at directions that hardly show
+    # figures: to where the two decompositions draw the line at directions that hardly show
+    assert best_by_hand(left, [one for one in every if one.name == found.rival])[0] == pytest.approx(r2, abs=0.02)
     assert found.detection == pytest.approx(np.sqrt(DETECTION / (found.strength * own)), rel=0.02)
     assert found.isolation == pytest.approx(np.sqrt(ISOLATION / (found.strength * (own - r2))), rel=0.05)
 

@@ -26,10 +26,11 @@ START = (-0.3, 0.16, np.log(8.0), 0.09, 0.09, 0.09, 1.0)
 BOUNDS = ((-7.0, 3.0), (0.0, 400.0), (0.0, np.log(64.0)), (0.0, 1e4), (0.0, 1e4), (0.0, 1e12), (0.0, 1e12))
 PER, AGE, MISFIT, BALLS = len(START), 2, 5, 6
 SQUARES = (1, 3, 4, MISFIT, BALLS)
-# before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
-# units of the first guess; places of balls in mm, as far as their class may be wrong
+# before the readings have their say, normal: the logarithms of white noise, for which three readings would take zero,
+# and of a time constant; slow noise, wandering and settling in units of the first guess; places of balls in mm, as far
+# as their class may be wrong
 USUAL = np.log(8.0)
-SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4, BALLS)
+SPREAD, SLOW = (1.0, 2.0, 1.0, 2.0, 2.0, np.inf, np.inf), (1, 3, 4, BALLS)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
 NOISIEST = 3.0 * UNEVEN  # of this logarithm: what is left beyond is no noise
