@@ -140,8 +140,8 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
 def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time: FloatArray) -> FloatArray:
     """(n_axes, n): velocity of each axis along a path of commanded positions, mm/s or deg/s.
 
-    path: (n_axes, n), in the order of reading; feed: (n,), mm/min, of the linear axes together;
-    time: (n,), s, asked where the feed is NaN or a rotary axis turns: a control may mean the feed of the tool over the
+    path: (n_axes, n), mm or deg, in the order of reading; feed: (n,), mm/min, of the linear axes together; time: (n,),
+    s, asked where the feed is NaN or a rotary axis turns: a control may mean the feed of the tool over the
     workpiece there. 0 where the path stands or turns back, NaN where neither is known.
     """
     linear = np.array([axis in "XYZ" for axis in axes])

@@ -1,8 +1,8 @@
 """What the drilling cycles of Heidenhain Klartext ask for: CYCL DEF 200 (drilling), 201 (reaming), 203 (universal
-drilling) and 205 (universal pecking) with numbers, and the blocks that call them.
+drilling), 205 (universal pecking) and the older 1 (pecking) with numbers, and the blocks that call them.
 
-Names and effects of the Q are those of HEIDENHAIN's User's Manual TNC 426/430, 8.3 (Q202, Q256, Q257, Q258: page 244
-there); which Q a cycle has, and in which values they come, also of what CAM systems write.
+Names of Q202, Q256, Q257 and Q258 are those of HEIDENHAIN's User's Manual TNC 426/430, page 244. Which Q a cycle has is
+as CAM systems write them; in which order pecks and broken chips come was not compared with a manual.
 """
 
 import re

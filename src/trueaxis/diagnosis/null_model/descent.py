@@ -32,7 +32,10 @@ class Here:
 def least(
     tell: Callable[[FloatArray], Here], start: FloatArray, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, float]:
-    """Parameters (n,) between low and high where nothing near is lower, and the value there."""
+    """Parameters (n,) between low and high, (n,), where nothing near is lower to NO_GAIN, and the value there.
+
+    start: (n,), within them. After MOST_STEPS, or where no step goes down, it is where the descent has come to.
+    """
     x, at = start, tell(start)
     for _ in range(MOST_STEPS):
         step, gain = _step(x, at, low, high)

@@ -25,7 +25,7 @@ from trueaxis.estimation.factors import few_of
 START = (-0.3, 0.16, np.log(8.0), 0.09, 0.09, 0.09, 1.0)
 BOUNDS = ((-7.0, 3.0), (0.0, 400.0), (0.0, np.log(64.0)), (0.0, 1e4), (0.0, 1e4), (0.0, 1e12), (0.0, 1e12))
 PER, AGE, MISFIT, BALLS = len(START), 2, 5, 6
-SQUARES = (1, 3, 4, MISFIT, BALLS)
+SQUARES = (1, 3, 4, MISFIT, BALLS)  # places of the parameters that are squares
 # before the readings have their say, normal: the logarithms of white noise, for which three readings would take zero,
 # and of a time constant; slow noise, wandering and settling in units of the first guess; places of balls in mm, as far
 # as their class may be wrong
@@ -108,7 +108,7 @@ class Likelihood:
         self.spread[:, BALLS] = ANYWHERE / self.units
 
     def __call__(self, x: FloatArray) -> Here:
-        """With the prior of time constants and scales, of squares exponential."""
+        """At parameters x (q,), with their prior: normal, of squares exponential; the average information."""
         usual, spread, of_square = np.zeros(x.size), np.full(x.size, UNEVEN), np.zeros(x.size, dtype=bool)
         usual[AGE : self.count : PER] = USUAL
         spread[: self.count] = self.spread.ravel()
