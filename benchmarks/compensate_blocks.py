@@ -1,6 +1,8 @@
 """Blocks per second and peak memory of `compensate` at 1e4, 1e5 and 1e6 blocks, in one run.
 
 Run from the repository: python benchmarks/compensate_blocks.py [--program half] [--words middles] [--largest 1000000]
+[--linuxcnc /], which has LinuxCNC's own rs274 read each program beside it and print what it makes of it (FOLDER: where
+its package is installed, or unpacked).
 Each program is compensated in a process of its own, so that its peak memory is its own. Seconds are those of the
 processor. A processor that other work shares is slower all the same: `loops` are the same seconds in units of a loop of
 Python and NumPy that is timed before and after, by which runs at other times compare.
@@ -128,7 +130,23 @@ def reference() -> float:
     return time.process_time() - begin
 
 
-def one(blocks: int, words: str, name: str) -> None:
+def read_by_linuxcnc(program: Path, package: Path) -> float:
+    """Seconds of the processor that LinuxCNC's rs274 takes for a program, starting and printing its calls included."""
+    folder = program.parent
+    (folder / "tool.tbl").write_text("")
+    (folder / "rs274.var").write_text("5220\t1.0\n")
+    libraries = f"{package}/usr/lib:{package}/usr/lib/x86_64-linux-gnu"
+    command = [f"{package}/usr/bin/rs274", "-g", "-t", "tool.tbl", "-v", "rs274.var", str(program)]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(
+        command, cwd=folder, env={"HOME": str(folder), "LD_LIBRARY_PATH": libraries}, check=True,
+        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def one(blocks: int, words: str, name: str, package: Path | None) -> None:
     """Compensate one program in this process and print what it took as JSON."""
     ball = None if words == "nearest" else (270.0, -350.0, 0.0)
     settings = Settings(words=words, ball=ball)  # type: ignore[arg-type]
@@ -143,11 +161,13 @@ def one(blocks: int, words: str, name: str) -> None:
         report = compensate_file(program, Path(folder) / "out.nc", model, settings)
         seconds = time.process_time() - begin
         loops = seconds / (0.5 * (before + reference()))
+        beside = 0.0 if package is None else read_by_linuxcnc(program, package)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     print(
         json.dumps(
             {"blocks": report.blocks_in, "written": report.blocks_out, "moves": report.moves,
-             "points": report.points, "seconds": seconds, "loops": loops, "peak": peak / 1024, "idle": idle / 1024}
+             "points": report.points, "seconds": seconds, "loops": loops, "peak": peak / 1024, "idle": idle / 1024,
+             "linuxcnc": beside}
         )
     )  # fmt: skip
 
@@ -157,17 +177,20 @@ def main() -> None:
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default="nearest")
     parser.add_argument("--program", choices=PROGRAMS, default="plain", help=str(PROGRAMS))
     parser.add_argument("--largest", type=int, default=1_000_000)
+    parser.add_argument("--linuxcnc", type=Path, metavar="FOLDER", help="where LinuxCNC is: / or where it was unpacked")
     parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
     args = parser.parse_args()
     if args.one:
-        one(args.one, args.words, args.program)
+        one(args.one, args.words, args.program, args.linuxcnc)
         return
     print(f"{PROGRAMS[args.program]}; words {args.words}")
-    names = ("blocks", "written", "moves", "points", "seconds", "loops", "blocks/s", "moves/s", "points/s", "peak MiB")
+    names = ["blocks", "written", "moves", "points", "seconds", "loops", "blocks/s", "moves/s", "points/s", "peak MiB"]
+    names += ["LinuxCNC"] * bool(args.linuxcnc)
     print(" ".join(f"{name:>9s}" for name in names))
     blocks = 10_000
     while blocks <= args.largest:
         command = [sys.executable, __file__, "--one", str(blocks), "--words", args.words, "--program", args.program]
+        command += ["--linuxcnc", str(args.linuxcnc)] * bool(args.linuxcnc)
         got = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
         rates = (got[name] / got["seconds"] for name in ("blocks", "moves", "points"))
         print(
@@ -175,6 +198,7 @@ def main() -> None:
             f"{got['seconds']:9.2f} {got['loops']:9.1f}",
             *(f"{rate:9.0f}" for rate in rates),
             f"{got['peak']:9.0f}",
+            *([f"{got['blocks'] / got['linuxcnc']:9.0f}"] * bool(args.linuxcnc)),
         )
         blocks *= 10
 

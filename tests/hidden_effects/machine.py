@@ -12,6 +12,7 @@ Array = NDArray[np.float64]
 
 LETTERS = "XYZABC"
 BED = 1
+Factor = tuple[Rotation | None, Array]  # None: no rotation
 
 
 @dataclass(frozen=True)
@@ -97,7 +98,7 @@ class Machine:
     ) -> Array:
         for body in self._branch(number):
             for turn, shift in reversed(self._factors(body, positions, errors, located)):
-                at = turn.apply(at) + shift
+                at = (at if turn is None else turn.apply(at)) + shift
         return at
 
     def _from_bed(
@@ -110,7 +111,7 @@ class Machine:
     ) -> Array:
         for body in reversed(self._branch(number)):
             for turn, shift in self._factors(body, positions, errors, located):
-                at = turn.inv().apply(at - shift)
+                at = at - shift if turn is None else turn.inv().apply(at - shift)
         return at
 
     def _branch(self, number: int) -> list[int]:
@@ -122,18 +123,18 @@ class Machine:
 
     def _factors(
         self, number: int, positions: Mapping[str, Array], errors: Mapping[str, Array], located: Mapping[str, float]
-    ) -> list[tuple[Rotation, Array]]:
+    ) -> list[Factor]:
         """Ideal position, position error, ideal motion, motion error."""
         joint = next(joint for joint in self.joints if joint.number == number)
         place = np.array([self.dimensions[name] for name in joint.position or ()] or [0.0, 0.0, 0.0])
         axis = joint.moves
-        factors = [(Rotation.identity(), place), _small({d: located.get(f"{d}0{axis}", 0.0) for d in _DIRECTIONS})]
+        factors: list[Factor] = [(None, place), _small({d: located.get(f"{d}0{axis}", 0.0) for d in _DIRECTIONS})]
         if not axis:
             return factors[:1]
         way = np.zeros((len(positions[axis]), 3))
         way[:, LETTERS.index(axis) % 3] = positions[axis]
         turned = axis in "ABC"
-        motion = (Rotation.from_rotvec(way, degrees=True), np.zeros(3)) if turned else (Rotation.identity(), way)
+        motion: Factor = (Rotation.from_rotvec(way, degrees=True), np.zeros(3)) if turned else (None, way)
         return [*factors, motion, _small({d: errors.get(f"{d}{axis}", 0.0) for d in _DIRECTIONS})]
 
     def spec(self, leave_out: tuple[str, ...] = ()) -> str:
@@ -155,8 +156,8 @@ class Machine:
 _DIRECTIONS = tuple(f"E{letter}" for letter in LETTERS)
 
 
-def _small(values: Mapping[str, Array | float]) -> tuple[Rotation, Array]:
+def _small(values: Mapping[str, Array | float]) -> Factor:
     """A true rotation by the vector of the three angles, and a shift."""
     columns = np.broadcast_arrays(*(np.asarray(values[d], float) for d in _DIRECTIONS))
     both = np.stack(columns, axis=-1)
-    return Rotation.from_rotvec(both[..., 3:]), both[..., :3]
+    return Rotation.from_rotvec(both[..., 3:]) if both[..., 3:].any() else None, both[..., :3]
