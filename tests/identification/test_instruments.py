@@ -28,7 +28,6 @@ from tests.identification.data import (
 from tests.identification.machines import PlainMachine, dmu60p
 from tests.identification.test_estimated import CONVENTION, KNOWN, LEVER, known_of, off
 from trueaxis.estimation.instruments import (
-    alignments,
     own_columns,
     own_kinds,
     shared_column,
@@ -37,6 +36,7 @@ from trueaxis.estimation.instruments import (
 )
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness
+from trueaxis.estimation.set_up_anew import Taken
 from trueaxis.identification.estimated import identify_estimated
 from trueaxis.identification.report import Identification, InstrumentReport
 from trueaxis.identification.weighting import NoiseModel
@@ -183,39 +183,9 @@ def test_unknowns_that_no_reading_holds_are_not_reported() -> None:
 def test_a_length_for_each_bar_and_a_centre_for_each_ball() -> None:
     runs = mixed_data(cubic_errors(), 2).runs
     bars = [index for index, run in enumerate(runs) if run.instrument == "ballbar"]
-    unknowns = shared_unknowns(runs, bars, [False] * len(runs))
+    unknowns = shared_unknowns(runs, [Taken(index) for index in bars], [False] * len(runs))
     assert sorted(unknown.kind for unknown in unknowns) == ["ballbar centre"] * 3 + ["ballbar length"] * 2
     assert {unknown.runs for unknown in unknowns if unknown.kind == "ballbar centre"} == {tuple(bars)}
-
-
-@pytest.mark.parametrize(
-    ("lines", "sessions", "expected"),
-    [
-        ("XXYX", "    ", [0, 0, 1, 2]),  # back on the line after another: aligned anew
-        ("XXYX", "1112", [0, 0, 0, 0]),  # sessions are named: they tell it
-        ("XXYYZZ", "      ", [0, 0, 1, 1, 2, 2]),
-        ("XBX", "   ", [0, 0]),  # a ball bar leaves the laser where it is
-        ("XxX", "   ", [0, 0, 0]),  # another laser, by its name
-    ],
-)
-def test_a_laser_that_comes_back_to_a_line_is_aligned_anew(lines: str, sessions: str, expected: list[int]) -> None:
-    runs = [
-        bar(str(place), 600.0)
-        if one == "B"
-        else replace(
-            tool(str(place), one.lower(), (0.0, 0.0, 0.0)),
-            session=session.strip(),
-            device=Device(id="other") if one.islower() else None,
-        )
-        for place, (one, session) in enumerate(zip(lines, sessions, strict=True))
-    ]
-    found = alignments(runs, range(len(runs)))
-    assert list(found.values()) == expected
-    cosines = [
-        one for one in shared_unknowns(runs, range(len(runs)), [False] * len(runs)) if one.kind == "laser cosine"
-    ]
-    told = {(runs[k].direction, runs[k].session, runs[k].device, number) for k, number in found.items()}
-    assert len(cosines) == len(told)
 
 
 BODIES = (
@@ -267,7 +237,11 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
         positions=np.hstack([at] * 3),
         reading=np.array(readings),
     )
-    found = [one for one in shared_unknowns(runs, range(3), [False] * 3) if one.kind != "probe alignment"]
+    found = [
+        one
+        for one in shared_unknowns(runs, [Taken(index) for index in range(3)], [False] * 3)
+        if one.kind != "probe alignment"
+    ]
     of_sphere = [1.0] * 3 if frame == "bed" else []  # the frame of the workpiece carries the sphere: there it is a zero
     assert [unknown.kind for unknown in found] == ["probe origin"] * 3 + ["probe sphere"] * len(of_sphere)
     values = [*zero, *shifted][: len(found)]

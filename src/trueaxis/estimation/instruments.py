@@ -7,7 +7,7 @@ Of one run (own):
   slope    of the reference line of a straightness run, unless its device's table states how it is aligned
   centre   of a ball bar's ball on the workpiece, beyond what its runs share: it may have been set up anew
 Of several runs (shared):
-  centre   of the ball at one point of the set-up; of a probed sphere
+  centre   of the ball of one set-up of a ball bar; of a probed sphere
   length   of a ball bar of one nominal length
   scale    of a laser: wavelength, air
   cosine   of one alignment of a laser: it reads short by half the square of its angle
@@ -32,6 +32,7 @@ from trueaxis.estimation.set_up import (
     relative_motion,
     tip_of,
 )
+from trueaxis.estimation.set_up_anew import Taken, set_ups
 from trueaxis.measurement.instrument_kinds import ANGLE, ARM, AT_REST
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_effects import along
@@ -148,36 +149,14 @@ def own_columns(
     return np.stack(columns, axis=1)
 
 
-def alignments(runs: Sequence[Run], order: Sequence[int]) -> dict[int, int]:
-    """Of each run of a laser, by index, the number of its alignment.
-
-    A laser is on one line at a time: a line that it comes back to after another was aligned anew, unless sessions are
-    named, which then say it. order: indices of the runs, as they were taken.
-    """
-    found: dict[int, int] = {}
-    last: dict[Hashable, tuple[Hashable, int]] = {}
-    for index in order:
-        run = runs[index]
-        if run.instrument != "laser":
-            continue
-        line, number = last.get(run.device, (None, -1))
-        now = (run.target, run.reference, run.direction)
-        number += now != line
-        last[run.device] = now, number
-        found[index] = 0 if run.session else number
-    return found
-
-
-def shared_unknowns(
-    runs: Sequence[Run], present: Sequence[int], straightness: Sequence[bool], order: Sequence[int] | None = None
-) -> list[SharedUnknown]:
-    """All unknowns that runs share, in a fixed order. order: in which the runs present were taken; by index if None."""
-    aligned = alignments(runs, present if order is None else order)
+def shared_unknowns(runs: Sequence[Run], taken: Sequence[Taken], straightness: Sequence[bool]) -> list[SharedUnknown]:
+    """All unknowns that runs share, in a fixed order. taken: the runs with readings, as they were taken."""
+    set_up = set_ups(runs, taken)
     members: dict[tuple[str, Hashable, int], list[int]] = {}
-    for index in present:
+    for index in sorted(one.index for one in taken):
         run = runs[index]
         if run.instrument == "ballbar":
-            ball = (run.session, ball_of(run)[1])
+            ball = (run.session, set_up[index], ball_of(run)[1])
             keys: list[tuple[str, Hashable, int]] = [("ballbar centre", ball, k) for k in range(3)]
             length = "ballbar length" if run.device is None or run.device.length_u is None else "stated length"
             keys.append((length, (run.session, run.device, run.length), 0))
@@ -196,7 +175,7 @@ def shared_unknowns(
         else:
             scale = "laser scale" if run.device is None or run.device.scale_u is None else "stated scale"
             keys = [(scale, (run.session, run.device), 0)]
-            line = (run.session, run.device, aligned[index], run.target, run.reference, run.direction)
+            line = (run.session, run.device, set_up[index], run.target, run.reference, run.direction)
             keys.append(("laser cosine", line, 0))
         for key in keys:
             members.setdefault(key, []).append(index)

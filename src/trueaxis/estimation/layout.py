@@ -11,6 +11,7 @@ from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up_anew import taken_runs
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.bases import LegendreBasis, travel_basis
 from trueaxis.model.curves import Curve, LegendreCurve
@@ -101,16 +102,6 @@ class Layout:
         return found
 
 
-def _order(observed: Observations) -> list[int]:
-    """Indices of the runs with readings as they were taken: by their clock, else as they stand in setup.toml."""
-    present: list[int] = np.unique(observed.run).tolist()
-    time = None if observed.context is None else observed.context.time
-    if time is None or not np.isfinite(time).all():
-        return present
-    started = {index: float(time[observed.run == index].min()) for index in present}
-    return sorted(present, key=lambda index: started[index])
-
-
 def layout_of(
     model: MachineModel,
     observed: Observations,
@@ -127,7 +118,7 @@ def layout_of(
     components = tuple(name for name in model.components if name not in given.motion_errors)
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
-    shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness, _order(observed))
+    shared = shared_unknowns(observed.runs, taken_runs(observed), straightness)
     others = other_degrees or {}
     bases = tuple(travel_basis(model.travel[name.axis], others.get(name, degree)) for name in components)
     prior, machine = model.prior, model.machine

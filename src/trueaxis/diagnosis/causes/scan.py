@@ -99,7 +99,12 @@ def statistics(signature: Signature, known: Prepared, residual: Residual) -> tup
     """(points,) what a candidate explains at each point of its grid, and (points, k) with which amplitudes."""
     inside = signature.products(residual.back)
     gram = known.gram - _gram(inside[1:], inside[1:]) + np.eye(known.gram.shape[1]) / signature.most**2
-    return explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
+    squares, amplitudes = explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
+    if gram.shape[1] > 1:
+        return squares, amplitudes
+    most = np.clip(amplitudes, -signature.most, signature.most)  # no machine has more of it, whatever that explains
+    less = ((amplitudes - most) ** 2 * gram[:, 0])[:, 0]
+    return np.where(less > 0.0, squares - less, squares), most
 
 
 def peaks_of(statistic: FloatArray, least: float) -> tuple[int, ...]:

@@ -41,7 +41,8 @@ class Signature:
     the k linear amplitudes, shared with other candidates; place: (n_support,), which of the terms each row has, all of
     them in order where it is a slice; lever: (n_support,), mm per unit; size: the number of all rows; points: values of
     the searched parameters; missing: what the data lack for it, empty where nothing; free: how many of the amplitudes,
-    the last, are of runs whose temperature is assumed; most: one standard deviation of what amplitudes can be at all.
+    the last, are of runs whose temperature is assumed; most: what amplitudes can be at all, with that standard
+    deviation.
     """
 
     effect: Effect
