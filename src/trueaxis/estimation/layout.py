@@ -118,7 +118,8 @@ def layout_of(
     components = tuple(name for name in model.components if name not in given.motion_errors)
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
-    shared = shared_unknowns(observed.runs, taken_runs(observed), straightness)
+    time = None if observed.context is None else observed.context.time
+    shared = shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
     others = other_degrees or {}
     bases = tuple(travel_basis(model.travel[name.axis], others.get(name, degree)) for name in components)
     prior, machine = model.prior, model.machine

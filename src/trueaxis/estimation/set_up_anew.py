@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.set_up import ball_of
+from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Run
 
 NIGHT = 6 * 3600.0  # s without a reading: longer than the pauses of a shift, shorter than a night
@@ -22,13 +23,15 @@ class Taken:
     end: float = 0.0
 
 
-def taken_runs(observed: Observations) -> list[Taken]:
-    """As they were taken: by their clock, else as they stand in setup.toml."""
-    present: list[int] = np.unique(observed.run).tolist()
-    time = None if observed.context is None else observed.context.time
+def taken_runs(run: IntArray, time: FloatArray | None) -> list[Taken]:
+    """As they were taken: by their clock, else as they stand in setup.toml.
+
+    run: (n,), index of the run of each reading; time: (n,), s, or None.
+    """
+    present: list[int] = np.unique(run).tolist()
     if time is None or not np.isfinite(time).all():
         return [Taken(index) for index in present]
-    clocks = ((index, time[observed.run == index]) for index in present)
+    clocks = ((index, time[run == index]) for index in present)
     return sorted((Taken(k, float(one.min()), float(one.max())) for k, one in clocks), key=lambda one: one.start)
 
 

@@ -4,7 +4,7 @@ The kinds of the library and of the spec at every place where they may act, and 
 terms are not linear in (`estimation.effects.grids`).
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -65,20 +65,26 @@ def _missing_locations(kind: Kind, machine: Machine) -> Iterator[Effect]:
 
 
 def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:
-    """Of each set-up, which its runs share; of a jump, each run."""
+    """Of all runs that differ in their zero alone, and of those among them whose instrument stayed as it was set up; of
+    a jump, of each run.
+    """
     mine = [index for index in rows.present if reads(kind, rows.runs[index].instrument)]
     ends = ("target", "reference") if kind.name == "point_offset" else (None,)
-    setup = {index: int(rows.setup[rows.of_run(index)][0]) for index in mine}
-    for number in dict.fromkeys(setup.values()):
-        of_setup = [index for index in mine if setup[index] == number]
-        groups = [tuple(rows.runs[index].id for index in of_setup)]
-        if kind.name == "laser_step":
-            groups = [(rows.runs[index].id,) for index in of_setup]
-        for ids in groups:
-            for end in ends:
-                run = rows.runs[of_setup[0]]
-                if end is None or getattr(run, end).on in ("tool", "workpiece"):
-                    yield Effect(kind=kind.name, runs=ids, end=end)
+    groups = [[index] for index in mine] if kind.name == "laser_step" else _alike(rows, mine)
+    for group in groups:
+        run, ids = rows.runs[group[0]], tuple(rows.runs[index].id for index in group)
+        for end in ends:
+            if end is None or getattr(run, end).on in ("tool", "workpiece"):
+                yield Effect(kind=kind.name, runs=ids, end=end)
+
+
+def _alike(rows: Rows, runs: Sequence[int]) -> list[list[int]]:
+    """Groups of runs (by index) with the same `setup`, then with the same `mounted`; none twice."""
+    found: dict[tuple[str, int], list[int]] = {}
+    for index in runs:
+        for name, of_rows in (("setup", rows.setup), ("mounted", rows.mounted)):
+            found.setdefault((name, int(of_rows[rows.of_run(index)][0])), []).append(index)
+    return [list(one) for one in dict.fromkeys(map(tuple, found.values()))]
 
 
 def grid_of(

@@ -167,6 +167,7 @@ def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
         else _usual_temperature(rows, time) + np.concatenate([one.warmer for one in further]),
         feed=None if rows.feed is None else feed,
         setup=run,
+        mounted=run,
         target=np.arange(size, dtype=np.int64),
         passing=np.zeros(size, dtype=np.int64),
         context=rows.context,
@@ -190,7 +191,10 @@ def _usual_temperature(rows: Rows, time: FloatArray) -> FloatArray:
 
 def _joined(rows: Rows, new: Rows) -> Rows:
     """Numbers of runs, set-ups and targets go on where the others end."""
-    start = {"run": len(rows.runs), **{one: int(getattr(rows, one).max(initial=0)) + 1 for one in ("setup", "target")}}
+    start = {
+        "run": len(rows.runs),
+        **{one: int(getattr(rows, one).max(initial=0)) + 1 for one in ("setup", "mounted", "target")},
+    }
     joined: dict[str, Any] = {
         "runs": (*rows.runs, *new.runs), "axes": rows.axes, "context": _contexts(rows.context, new.context)
     }  # fmt: skip

@@ -246,7 +246,7 @@ def _together(null: Null, kind: str, members: Sequence[_OfRun]) -> Iterator[_Unk
     """Runs by one bar, or else of one set-up and session, that agree are one; where they do not, each is by itself."""
     differ = USUAL * float(np.median(np.abs(np.concatenate([one.value for one in members]))))
     runs = {one.place: null.base.runs[one.place].rows for one in members}
-    setup = {place: null.base.set_ups[place] for place in runs}
+    setup = {place: int(null.rows.mounted[run.at[0]]) for place, run in runs.items()}
     of_bar = {place: (run.run.session, run.run.device, run.run.length) for place, run in runs.items()}
     left = list(members)
     for key in (of_bar, setup) if kind == "ballbar zero" else (setup,):

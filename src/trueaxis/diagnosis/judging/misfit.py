@@ -118,7 +118,10 @@ class _Judged:
 def groups_of(null: Null) -> list[Group]:
     """Each run, and all of a set-up or a session, which agree with one another."""
     runs = [one.rows for one in null.base.runs]
-    keys = [[("run", k), ("set-up", null.base.set_ups[k]), ("session", run.run.session)] for k, run in enumerate(runs)]
+    keys = [
+        [("run", k), ("set-up", int(null.rows.mounted[run.at[0]])), ("session", run.run.session)]
+        for k, run in enumerate(runs)
+    ]
     found: dict[object, list[int]] = {}
     for place, of_run in enumerate(keys):
         for key in of_run:

@@ -23,7 +23,6 @@ from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
-from trueaxis.estimation.set_up_anew import set_ups, taken_runs
 from trueaxis.measurement.instrument_kinds import ARM
 from trueaxis.model.bases import LegendreBasis
 from trueaxis.model.covariance import Covariance
@@ -42,7 +41,6 @@ PLACES = 201  # over the travel, at which a curve is looked at
 # mm: what an error as large as [prior] has it changes of all readings together, below which it is a lever of the last
 # digit of positions; it would be free to be anything, and take up noise
 UNFELT = 1e-8
-SetUp = tuple[str, int, int]  # session, number of a ball's set-up in it, and that of what the run is set up for
 # mm: by which the ball of a set-up, or of a run whose noise nothing tells, may stand elsewhere
 ANYWHERE = CLASSES[BALL_OF_RUN].size * CLASSES[BALL_OF_RUN].factor
 
@@ -72,7 +70,6 @@ class Base:
     own: tuple[FloatArray, ...]
     own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
-    set_ups: tuple[SetUp, ...]
 
     def wide(self, times: float = WIDE) -> FloatArray:
         """(p,): standard deviation of each unknown, in its unit, where errors of the machine may be so many times what
@@ -119,16 +116,15 @@ class Base:
     def only(self, keep: BoolArray) -> "Base":
         """Of some rows, (n,): a run of which none is kept is none."""
         place = np.cumsum(keep) - 1
-        members = zip(self.runs, self.own, self.own_kinds, self.set_ups, strict=True)
+        members = zip(self.runs, self.own, self.own_kinds, strict=True)
         kept = [one for one in members if keep[one[0].rows.at].any()]
         return replace(
             self,
             columns=self.columns.only(keep),
             by_chance=self.by_chance[keep],
-            own=tuple(own[keep[run.rows.at]] for run, own, *_ in kept),
-            own_kinds=tuple(kinds for _, _, kinds, _ in kept),
-            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, *_ in kept),
-            set_ups=tuple(set_up for *_, set_up in kept),
+            own=tuple(own[keep[run.rows.at]] for run, own, _ in kept),
+            own_kinds=tuple(kinds for _, _, kinds in kept),
+            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _, _ in kept),
         )
 
     def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
@@ -180,8 +176,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     parts = [list(derivatives(layout, one.rows)) for one in runs]
     own = tuple(np.vstack([each.own for each in one]) for one in parts)
     kinds = tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs)
-    set_up = _set_ups(rows, observed, runs)
-    balls = _balls_of_set_ups(runs, set_up)
+    balls = _balls_of_set_ups(rows, runs)
     of_balls = [_of_balls(balls, one, *of) for one, of in zip(runs, zip(own, kinds, strict=True), strict=True)]
     everything = by_run(_few_of_run(one) for one in parts).beside(np.vstack(of_balls))
     shared = [*layout.shared, *balls]
@@ -207,7 +202,6 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
         own=own,
         own_kinds=kinds,
         runs=tuple(runs),
-        set_ups=set_up,
     )
 
 
@@ -219,19 +213,12 @@ def _weights(basis: LegendreBasis, rough: bool) -> FloatArray:
     return np.full_like(found, found.max()) if rough else found
 
 
-def _set_ups(rows: Rows, observed: Observations, runs: Sequence[MeasuredRun]) -> tuple[SetUp, ...]:
-    """Of every run; machine and bar are set to zero anew for every plane."""
-    anew = set_ups(observed.runs, taken_runs(observed))
-    bars = ((one, anew[one.rows.index] if one.instrument == "ballbar" else 0) for one in runs)
-    return tuple((one.rows.run.session, number, int(rows.setup[one.rows.at[0]])) for one, number in bars)
-
-
-def _balls_of_set_ups(runs: Sequence[MeasuredRun], set_up: Sequence[SetUp]) -> list[SharedUnknown]:
-    """Three of each set-up of a ball bar."""
-    members: dict[SetUp, list[int]] = {}
-    for one, of in zip(runs, set_up, strict=True):
+def _balls_of_set_ups(rows: Rows, runs: Sequence[MeasuredRun]) -> list[SharedUnknown]:
+    """Three of each set-up of a ball bar: machine and bar are set to zero anew for every plane."""
+    members: dict[int, list[int]] = {}
+    for one in runs:
         if one.instrument == "ballbar":
-            members.setdefault(of, []).append(one.rows.index)
+            members.setdefault(int(rows.mounted[one.rows.at[0]]), []).append(one.rows.index)
     return [
         SharedUnknown(kind=BALL_OF_RUN, of=of, runs=tuple(of_runs), coordinate=k, size=ANYWHERE)
         for of, of_runs in members.items()

@@ -9,6 +9,7 @@ import numpy as np
 from trueaxis.diagnosis.null_model.temperature import assumed
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.estimation.runs import noise_groups
+from trueaxis.estimation.set_up_anew import set_ups, taken_runs
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reversals import beside_reversals
@@ -24,10 +25,11 @@ class Rows:
     """Readings taken, (n,) each unless said otherwise; rows of one run are neighbours, in the order of reading.
 
     row: place in the file; run: index into runs; positions, directions: (n_axes, n), mm or deg and -1, 0, +1; reading:
-    mm; time (s), temperature (degC), feed (mm/min): None where the file has none. target: rows with the same number
-    were read at the same place, approached the same way at the same feed, with the same set-up; passing: number of
-    the earlier rows of the same run with the same target. context: that of each row, from all rows of its run, with
-    a temperature assumed where only other runs have one.
+    mm; time (s), temperature (degC), feed (mm/min): None where the file has none. setup: the same number for runs that
+    differ in their zero alone; mounted: for those of them whose instrument stayed as it was set up. target: rows with
+    the same number were read at the same place, approached the same way at the same feed, with the same set-up;
+    passing: number of the earlier rows of the same run with the same target. context: that of each row, from all rows
+    of its run, with a temperature assumed where only other runs have one.
     """
 
     runs: tuple[Run, ...]
@@ -42,6 +44,7 @@ class Rows:
     temperature: FloatArray | None
     feed: FloatArray | None
     setup: IntArray
+    mounted: IntArray
     target: IntArray
     passing: IntArray
     context: Context
@@ -116,6 +119,7 @@ def rows_of(data: MeasuredData) -> Rows:
         temperature=None if readings.temperature is None else readings.temperature[order],
         feed=feed,
         setup=setup,
+        mounted=_mounted(runs, run, setup, None if readings.time is None else readings.time[order]),
         target=_targets(setup, positions, directions, feed),
         passing=np.zeros(order.size, dtype=np.int64),
         context=context_of(runs, assumed(readings)).of(order),
@@ -142,6 +146,16 @@ def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArr
         plane = tuple(np.flatnonzero(np.ptp(mine, axis=1) > 10.0**-DECIMALS).tolist()) if moving else ()
         said.append((group, one.target, one.reference, one.frame, one.direction, one.length, plane))
     return np.array([known.setdefault(one, len(known)) for one in said], dtype=np.int64)
+
+
+def _mounted(runs: Sequence[Run], run: IntArray, setup: IntArray, time: FloatArray | None) -> IntArray:
+    """(n,), see `Rows`."""
+    anew, known = set_ups(runs, taken_runs(run, time)), dict[object, int]()
+    of_rows = (
+        (runs[index].session, anew.get(index, 0), like)
+        for index, like in zip(run.tolist(), setup.tolist(), strict=True)
+    )
+    return np.array([known.setdefault(one, len(known)) for one in of_rows], dtype=np.int64)
 
 
 def _targets(setup: IntArray, positions: FloatArray, directions: FloatArray, feed: FloatArray | None) -> IntArray:
