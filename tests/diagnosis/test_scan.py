@@ -204,3 +204,27 @@ def test_every_peak_that_may_be_the_highest_between_the_points_of_the_grid_is_kn
         places = peaks_of(true + alias, HELD * float((true + alias).max()))
         assert {18, 31} <= set(places)
         assert len(places) == 2
+
+
+def test_more_than_a_machine_has_explains_no_more_than_what_it_has() -> None:
+    """Beside the sum of squares that the most of it leaves, one for what is expected of it."""
+    where = field(FOUR_LINES, WHITE)
+    signature = signature_of(where.readings, Effect(kind="thermal_offset", component="EXX"))
+    signal = signature.over_all()[:, 0]
+    values = noise_of(where, 1) + 50.0 * signal
+    left, column = (where.base.rest(where.whitening(one)) for one in (values, signal))
+    found = scanned_in(where, replace(signature, most=2.0), left)
+    assert found.amplitudes == pytest.approx([2.0])
+    with_it = left - 2.0 * column
+    assert found.statistic == pytest.approx(left @ left - with_it @ with_it - 1.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("kind", "component", "unit"),
+    [("thermal_expansion", "EXX", 1.0), ("thermal_offset", "EAX", 1.0), ("thermal_offset", "EXX", 600.0)],
+)
+def test_what_a_machine_has_per_kelvin(kind: str, component: str, unit: float) -> None:
+    """Times 1e-4: of a length or in rad; of its travels, here between 0.6 and 1.2 m together."""
+    readings = field(FOUR_LINES, WHITE).readings
+    most = signature_of(readings, Effect(kind=kind, component=component)).most
+    assert 1e-4 * unit <= most <= 2e-4 * unit
