@@ -6,7 +6,7 @@ monomial and axis are one polynomial, whose coefficients are folded once per cal
 there are component errors.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
@@ -30,6 +30,8 @@ from trueaxis.error_name import ErrorName
 from trueaxis.machine.machine import ROTARY, Machine
 
 Monomial = tuple[int, ...]
+Terms = list[tuple[str, sp.Expr]]  # error, constant factor
+Folds = dict[Monomial, dict[str, Terms]]  # monomial in positions, cosines and sines -> axis, "" for location errors
 
 
 def curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
@@ -61,10 +63,9 @@ def curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
         (deviation,),
         *_walk_with_curves(machine, main, deviation.rows, exact=True),
     )
-    binder = Binder()
-    folded = _folded_deviation(machine, main, symbols.point(), binder)
-    candidates = [
-        build(
+
+    def first_order_routine(remark: str, results: dict[str, sp.Expr], bound: list[Assignment]) -> Routine:
+        return build(
             f"{main.name}_deviation_first_order_curves",
             f"Deviation of the tool point under polynomial error curves, to first order{remark}.",
             "Eqs. (1)-(4), (44)",
@@ -73,13 +74,17 @@ def curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
             results,
             bound,
         )
-        for remark, (results, bound) in (
-            (", constants folded once per call", (by_row(deviation.rows, folded), binder.assignments)),
-            ("", _walk_with_curves(machine, main, deviation.rows, exact=False)),
-        )
-    ]
+
+    walked = first_order_routine("", *_walk_with_curves(machine, main, deviation.rows, exact=False))
+    folds = [_folds(machine, entry) for entry in _rows(first_order(main, symbols.point()).columns)]
     # With two rotary axes there are more monomials to fold by than component errors.
-    yield min(candidates, key=lambda routine: routine.operations)
+    if _polynomials(folds) * (2 * machine.curve_degree - 1) > walked.operations:
+        yield walked
+        return
+    binder = Binder()
+    results = by_row(deviation.rows, _folded_deviation(machine, folds, binder))
+    folded = first_order_routine(", constants folded once per call", results, binder.assignments)
+    yield min(folded, walked, key=lambda routine: routine.operations)
 
 
 def _walk_with_curves(
@@ -113,33 +118,45 @@ def curve(component: ErrorName, degree: int) -> sp.Expr:
     return _horner([coefficient(component, power) for power in powers], symbols.position(component.axis))
 
 
-def _folded_deviation(machine: Machine, view: ViewWalk, point: Vector, binder: Binder) -> Vector:
-    """The first-order deviation of a view (mm) with curves of the machine's degree, folded as above."""
-    columns = first_order(view, point).columns
+def _rows(columns: Mapping[str, Vector]) -> list[dict[str, sp.Expr]]:
+    """The derivatives of each entry by the errors that it has."""
+    return [{name: column[row] for name, column in columns.items() if column[row] != 0} for row in range(3)]
+
+
+def _folds(machine: Machine, entry: Mapping[str, sp.Expr]) -> Folds:
+    """The terms of an entry of the deviation, sorted by what they can be folded by."""
     generators = _generators(machine)
     axis_of: dict[str, str] = {component: component.axis for component in machine.components}
-    entries: list[sp.Expr] = []
-    for row in range(3):
-        # monomial -> axis ("" for location errors) -> [(error, constant factor)]
-        groups: dict[Monomial, dict[str, list[tuple[str, sp.Expr]]]] = {}
-        for name, column in columns.items():
-            if column[row] == 0:
-                continue
-            axis = axis_of.get(name, "")
-            for monomial, constant in sp.Poly(column[row], *generators).terms():
-                groups.setdefault(monomial, {}).setdefault(axis, []).append((name, constant))
-        entries.append(sp.Add(*(_group(machine, generators, *item, binder) for item in sorted(groups.items()))))
-    x, y, z = entries
+    folds: Folds = {}
+    for name, value in entry.items():
+        for monomial, constant in sp.Poly(value, *generators).terms():
+            folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, constant))
+    return folds
+
+
+def _polynomials(folds: Sequence[Folds]) -> int:
+    """How many different polynomials are left once all is folded; two that are each other's opposite are one."""
+    found = set()
+    for by_axis in (group for entry in folds for group in entry.values()):
+        for axis, terms in by_axis.items():
+            if axis:
+                found.add((axis, *((name, _sign(terms) * constant) for name, constant in terms)))
+    return len(found)
+
+
+def _sign(terms: Terms) -> int:
+    return -1 if all(constant.could_extract_minus_sign() for _, constant in terms) else 1
+
+
+def _folded_deviation(machine: Machine, folds: Sequence[Folds], binder: Binder) -> Vector:
+    """The first-order deviation of a view (mm) with curves of the machine's degree, folded as above."""
+    x, y, z = (
+        sp.Add(*(_group(machine, monomial, entry[monomial], binder) for monomial in sorted(entry))) for entry in folds
+    )
     return x, y, z
 
 
-def _group(
-    machine: Machine,
-    generators: Sequence[sp.Symbol],
-    monomial: Monomial,
-    by_axis: dict[str, list[tuple[str, sp.Expr]]],
-    binder: Binder,
-) -> sp.Expr:
+def _group(machine: Machine, monomial: Monomial, by_axis: dict[str, Terms], binder: Binder) -> sp.Expr:
     parts: list[sp.Expr] = []
     for axis, terms in by_axis.items():
         if not axis:
@@ -147,13 +164,13 @@ def _group(
             continue
         powers = range(1, machine.curve_degree + 1)
         # With its sign taken out, a polynomial and its opposite in another entry are one.
-        sign = -1 if all(constant.could_extract_minus_sign() for _, constant in terms) else 1
+        sign = _sign(terms)
         folded = [
             binder.bind(sp.Add(*(sign * constant * coefficient(name, power) for name, constant in terms)))
             for power in powers
         ]
         parts.append(sign * binder.bind(_horner(folded, symbols.position(axis))))
-    weight = sp.Mul(*(g**power for g, power in zip(generators, monomial, strict=True)))
+    weight = sp.Mul(*(g**power for g, power in zip(_generators(machine), monomial, strict=True)))
     return binder.bind(weight * binder.bind(sp.Add(*parts)))
 
 

@@ -15,9 +15,9 @@ import sympy as sp
 
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
+from trueaxis.derivation.sharing import Assignment, operations, renamed, shared
 from trueaxis.machine.machine import ROTARY, Machine
 
-Assignment = tuple[sp.Symbol, sp.Expr]
 _RADIAN_PER_DEGREE = sp.Float(math.radians(1.0), 17)  # the very double that both emitters print
 _XYZ = ("x", "y", "z")
 
@@ -91,9 +91,9 @@ def build(
     """
     targets = [target for target, _ in bound] + [symbols.named(row) for row in results]
     values = [value for _, value in bound] + list(results.values())
-    shared, values = sp.cse(values, symbols=sp.numbered_symbols("_shared", real=True))
+    common, values = shared(values, sp.numbered_symbols("_shared", real=True))
     needed = {row for output in outputs for row in output.rows}
-    ordered = _ordered(_without_copies([*shared, *zip(targets, values, strict=True)], needed), needed)
+    ordered = _ordered(_without_copies([*common, *zip(targets, values, strict=True)], needed), needed)
     stages = _staged(ordered, inputs)
     batch, preparation, body = (_renamed(stage, ordered, needed) for stage in stages)
     return Routine(
@@ -105,14 +105,9 @@ def build(
         batch=batch,
         preparation=preparation,
         body=body,
-        operations=count_operations(value for _, value in preparation + body),
-        batch_operations=count_operations(value for _, value in batch),
+        operations=sum(operations(value) for _, value in preparation + body),
+        batch_operations=sum(operations(value) for _, value in batch),
     )
-
-
-def count_operations(values: Iterable[sp.Expr]) -> int:
-    """Arithmetic operations of the values."""
-    return int(sum(sp.count_ops(value) for value in values))
 
 
 def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
@@ -125,7 +120,7 @@ def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list
     if not names:
         return list(assignments)
     copies = set(names.values())
-    return [(names.get(target, target), value.xreplace(names)) for target, value in assignments if target not in copies]
+    return [(names.get(target, target), renamed(value, names)) for target, value in assignments if target not in copies]
 
 
 def _ordered(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
@@ -176,7 +171,7 @@ def _staged(ordered: Sequence[Assignment], inputs: Sequence[Argument]) -> tuple[
 def _renamed(stage: Sequence[Assignment], ordered: Sequence[Assignment], needed: set[str]) -> tuple[Assignment, ...]:
     temporary = [target for target, _ in ordered if target.name not in needed]
     names = {target: sp.Symbol(f"w{index}", real=True) for index, target in enumerate(temporary)}
-    return tuple((names.get(target, target), value.xreplace(names)) for target, value in stage)
+    return tuple((names.get(target, target), renamed(value, names)) for target, value in stage)
 
 
 def positions_argument(machine: Machine) -> Argument:
