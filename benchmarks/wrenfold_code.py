@@ -22,7 +22,8 @@ from wrenfold.type_info import NumericType, ScalarType
 from trueaxis.derivation import symbols
 from trueaxis.derivation.curve_routines import curve
 from trueaxis.derivation.first_order import first_order
-from trueaxis.derivation.routine import Argument, Assignment, Routine
+from trueaxis.derivation.routine import Argument, Routine
+from trueaxis.derivation.sharing import Assignment
 from trueaxis.derivation.views import view
 from trueaxis.machine import Machine
 from trueaxis.model.compiler import FLAGS, NATIVE

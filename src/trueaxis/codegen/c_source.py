@@ -16,7 +16,8 @@ from trueaxis.codegen.paper_layout import TITLE
 from trueaxis.codegen.printers import CPrinter, rows_text, variable_names
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.effect_terms import Sign, Step
-from trueaxis.derivation.routine import Argument, Assignment, Routine
+from trueaxis.derivation.routine import Argument, Routine
+from trueaxis.derivation.sharing import Assignment
 from trueaxis.derivation.symbols import describe
 from trueaxis.machine.machine import LINEAR, ROTARY, Machine
 

@@ -12,7 +12,8 @@ from trueaxis.codegen.meta import ABI, meta, spec_name
 from trueaxis.codegen.paper_layout import TITLE
 from trueaxis.codegen.printers import PythonPrinter, rows_text, variable_names
 from trueaxis.codegen.templates import environment
-from trueaxis.derivation.routine import Argument, Assignment, Routine
+from trueaxis.derivation.routine import Argument, Routine
+from trueaxis.derivation.sharing import Assignment
 from trueaxis.machine.machine import ROTARY, Machine
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.

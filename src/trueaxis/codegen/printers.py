@@ -1,114 +1,89 @@
 """Expressions as code, NumPy and C: every digit of a constant, powers as products, no call but those that kernels need.
 
-Polynomials in Horner's form, as the derivation leaves them, are found again; variables are named as the symbols are.
+Terms, factors, signs and brackets stand as SymPy's printers put them. Polynomials in Horner's form, as the derivation
+leaves them, are found again; variables are named as the symbols are.
 """
 
-import math
-from collections.abc import Collection, Mapping
-from functools import cache, lru_cache
-from typing import Any
+from collections.abc import Collection, Mapping, Sequence
+from functools import lru_cache
+from typing import ClassVar
 
 import sympy as sp
-from sympy.printing.c import C99CodePrinter
-from sympy.printing.precedence import precedence
-from sympy.printing.pycode import PythonCodePrinter
+from sympy.printing.precedence import PRECEDENCE, precedence
 
 from trueaxis.derivation.effect_terms import Absolute, Root, Sign, Step
 from trueaxis.derivation.routine import Argument, Routine
+from trueaxis.derivation.sharing import is_negative
 
-_FUNCTIONS = (sp.cos, sp.sin, sp.exp, sp.tanh, Absolute, Root, Sign, Step)
 Polynomial = tuple[sp.Symbol, tuple[sp.Expr, ...]]
+_SIGN = (PRECEDENCE["Mul"] + PRECEDENCE["Pow"]) / 2  # how strongly a sign holds the one factor behind it
+_HALF = sp.Rational(1, 2)
 
 
-@lru_cache(maxsize=1 << 14)
-def _ordered_terms(expr: sp.Expr) -> tuple[sp.Expr, ...]:
-    """In the order of SymPy's printers, which takes as long as all else; NumPy and C print the same sums."""
-    return tuple(expr.as_ordered_terms())
+class _Printer:
+    """What NumPy and C have in common; _functions: how a call of each is written."""
 
-
-@cache
-def _method(printer: type, kind: type) -> str:
-    """The name of the method of a printer for a kind of expression, as SymPy finds it: by the type or what it is of."""
-    return next(name for base in kind.__mro__ if hasattr(printer, name := f"_print_{base.__name__}"))
-
-
-class _Plain:
-    """Before one of SymPy's printers of code: the expressions of routines have nothing that it looks for first."""
-
-    def doprint(self, expr: sp.Expr) -> str:
-        """The code of an expression. Raises ValueError for a function that no kernel needs."""
-        return self._print(expr)
-
-    def _print_Add(self, expr: sp.Expr) -> str:
-        first, *others = map(self._print, _ordered_terms(expr))
-        return first + "".join(f" - {text[1:]}" if text[0] == "-" else f" + {text}" for text in others)
-
-    def parenthesize(self, item: sp.Expr, level: float, strict: bool = False) -> str:  # noqa: ARG002  SymPy's signature
-        """The code of a factor, in brackets where it would be read otherwise."""
-        text = self._print(item)
-        return text if item.is_Symbol or precedence(item) > level else f"({text})"
-
-    def _print(self, expr: sp.Expr) -> str:
-        if isinstance(expr, sp.Function) and expr.func not in _FUNCTIONS:
-            raise ValueError(f"no kernel needs {expr}")
-        kinds: tuple[Any, Any] = type(self), type(expr)
-        return str(getattr(self, _method(*kinds))(expr))
-
-
-class PythonPrinter(_Plain, PythonCodePrinter):  # type: ignore[misc]
-    """SymPy's own NumPy printer rounds constants to 15 digits and writes powers as calls."""
+    _functions: ClassVar[Mapping[type[sp.Expr], str]]
 
     def __init__(self, names: Mapping[str, str]) -> None:
-        super().__init__({"fully_qualified_modules": False})
         self._names = names
 
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return self._names.get(expr.name, expr.name)
+    def doprint(self, value: sp.Expr) -> str:
+        """The code of an expression. Raises ValueError for what no kernel needs."""
+        if value.is_Symbol:
+            return self._names.get(value.name, value.name)
+        if value.is_Add:
+            first, *others = map(self.doprint, _ordered_terms(value))
+            return first + "".join(f" - {text[1:]}" if text[0] == "-" else f" + {text}" for text in others)
+        if value.is_Mul:
+            return self._product(value)
+        if value.func in self._functions:
+            return self._functions[value.func].format(self.doprint(value.args[0]))
+        if value.is_Pow and (value.exp.is_Integer or abs(value.exp) == _HALF):
+            return self._power(value)
+        if value.is_Number or value is sp.pi:
+            return self._number(value)
+        raise ValueError(f"no kernel needs {value}")
 
-    def _print_Float(self, expr: sp.Float) -> str:
-        return repr(float(expr))
+    def _product(self, value: sp.Expr) -> str:
+        minus = is_negative(value)
+        return self._signed(minus, _ordered_factors(-value if minus else value))
 
-    def _print_Rational(self, expr: sp.Rational) -> str:
-        return repr(float(expr))
+    def _signed(self, minus: bool, factors: Sequence[sp.Expr]) -> str:
+        """The product of factors, behind a minus sign or not; those of a negative power are divided by."""
+        level = PRECEDENCE["Add" if minus else "Mul"]
+        below = [one for one in factors if one.is_Pow and one.exp.is_Rational and one.exp.is_negative]
+        above = [one for one in factors if one not in below] or [sp.S.One]
+        over = "*".join(self._bracketed(one, _SIGN if minus and len(above) == 1 else level) for one in above)
+        under = [self._bracketed(one.base if one.exp == -1 else one.base**-one.exp, level) for one in below]
+        quotient = "" if not under else f"/{under[0]}" if len(under) == 1 else f"/({'*'.join(under)})"
+        return f"{'-' if minus else ''}{over}{quotient}"
 
-    def _print_cos(self, expr: sp.Expr) -> str:
-        return f"np.cos({self._print(expr.args[0])})"
+    def _bracketed(self, value: sp.Expr, level: float) -> str:
+        """The code of a factor, in brackets where it would be read otherwise."""
+        text = self.doprint(value)
+        return text if value.is_Symbol or precedence(value) > level else f"({text})"
 
-    def _print_sin(self, expr: sp.Expr) -> str:
-        return f"np.sin({self._print(expr.args[0])})"
+    def _power(self, value: sp.Pow) -> str:
+        raise NotImplementedError
 
-    def _print_Pi(self, expr: sp.Expr) -> str:  # noqa: ARG002  SymPy's signature
-        return repr(math.pi)
+    def _number(self, value: sp.Expr) -> str:
+        raise NotImplementedError
 
-    def _print_exp(self, expr: sp.Expr) -> str:
-        return f"np.exp({self._print(expr.args[0])})"
 
-    def _print_tanh(self, expr: sp.Expr) -> str:
-        return f"np.tanh({self._print(expr.args[0])})"
+class PythonPrinter(_Printer):
+    """SymPy's own NumPy printer rounds constants to 15 digits and writes powers as calls."""
 
-    def _print_Absolute(self, expr: sp.Expr) -> str:
-        return f"np.abs({self._print(expr.args[0])})"
-
-    def _print_Sign(self, expr: sp.Expr) -> str:
-        return f"np.sign({self._print(expr.args[0])})"
-
-    def _print_Step(self, expr: sp.Expr) -> str:
-        return f"np.heaviside({self._print(expr.args[0])}, 1.0)"
-
-    def _print_Root(self, expr: sp.Expr) -> str:
-        return f"np.sqrt({self._print(expr.args[0])})"
-
-    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:  # noqa: ARG002  SymPy's signature
-        base = self.parenthesize(expr.base, 99)
-        if expr.exp == sp.Rational(1, 2):
-            return f"np.sqrt({self._print(expr.base)})"
-        if expr.exp.is_Integer and expr.exp > 1:
-            return "(" + "*".join([base] * int(expr.exp)) + ")"
-        if expr.exp == -1:
-            return f"1.0/{base}"
-        if expr.exp.is_Integer:
-            return f"1.0/{self._print(sp.Pow(expr.base, -expr.exp, evaluate=False))}"
-        raise ValueError(f"no kernel needs {expr}")
+    _functions: ClassVar = {
+        sp.cos: "np.cos({})",
+        sp.sin: "np.sin({})",
+        sp.exp: "np.exp({})",
+        sp.tanh: "np.tanh({})",
+        Absolute: "np.abs({})",
+        Sign: "np.sign({})",
+        Step: "np.heaviside({}, 1.0)",
+        Root: "np.sqrt({})",
+    }
 
     def code(self, value: sp.Expr) -> str:
         """The value as a Python expression; constants as doubles, polynomials as calls of `_polynomial`."""
@@ -117,83 +92,102 @@ class PythonPrinter(_Plain, PythonCodePrinter):  # type: ignore[misc]
         if polynomial := horner_coefficients(value):
             at, coefficients = polynomial
             return f"_polynomial({', '.join(self.doprint(part) for part in (at, *coefficients))})"
-        return str(self.doprint(value))
+        return self.doprint(value)
+
+    def _power(self, value: sp.Pow) -> str:
+        base = self._bracketed(value.base, PRECEDENCE["Func"])
+        if not value.exp.is_Integer:
+            root = f"np.sqrt({self.doprint(value.base)})"
+            return root if value.exp > 0 else f"1.0/{root}"
+        product = base if value.exp == -1 else "(" + "*".join([base] * abs(int(value.exp))) + ")"
+        return product if value.exp > 0 else f"1.0/{product}"
+
+    def _number(self, value: sp.Expr) -> str:
+        return str(value) if value.is_Integer else repr(float(value))
 
 
-class CPrinter(_Plain, C99CodePrinter):  # type: ignore[misc]
+class CPrinter(_Printer):
     """SymPy's own C printer writes x**2 as pow(x, 2), 1/2 as 1.0/2.0 and pi as a macro that ISO C does not have."""
 
-    def __init__(self, names: Mapping[str, str]) -> None:
-        super().__init__()
-        self._names = names
+    _functions: ClassVar = {
+        sp.cos: "cos({})",
+        sp.sin: "sin({})",
+        sp.exp: "exp({})",
+        sp.tanh: "tanh({})",
+        Absolute: "fabs({})",
+        Sign: "sign({})",
+        Step: "step({})",
+        Root: "sqrt({})",
+    }
 
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return self._names.get(expr.name, expr.name)
-
-    def _print_Number(self, expr: sp.Expr) -> str:
-        return repr(float(expr) if expr.is_Integer else float(expr.evalf(30)))
-
-    # SymPy finds the method by the type's name.
-    _print_Float = _print_Integer = _print_Rational = _print_NumberSymbol = _print_Number  # noqa: N815
-    _print_Zero = _print_One = _print_Half = _print_NegativeOne = _print_Pi = _print_Number  # noqa: N815
-
-    def _print_Absolute(self, expr: sp.Expr) -> str:
-        return f"fabs({self._print(expr.args[0])})"
-
-    def _print_Root(self, expr: sp.Expr) -> str:
-        return f"sqrt({self._print(expr.args[0])})"
-
-    def _print_Sign(self, expr: sp.Expr) -> str:
-        return f"sign({self._print(expr.args[0])})"
-
-    def _print_Step(self, expr: sp.Expr) -> str:
-        return f"step({self._print(expr.args[0])})"
-
-    def _print_Mul(self, expr: sp.Mul) -> str:
-        constants = [factor for factor in expr.args if factor.is_number]
+    def _product(self, value: sp.Expr) -> str:
+        constants = [factor for factor in value.args if factor.is_number]
         number = sp.Mul(*constants)
-        if number in (1, -1) or constants == list(expr.args):
-            return str(super()._print_Mul(expr))
+        if number in (1, -1) or len(constants) == len(value.args):
+            return super()._product(value)
         # One constant instead of several: pi*b/180 is one multiplication.
-        rest = sp.Mul(*(factor for factor in expr.args if not factor.is_number))
-        return str(super()._print_Mul(sp.Mul(sp.Float(number.evalf(30), 30), rest, evaluate=False)))
+        number = sp.Float(number.evalf(30), 30)
+        rest = sp.Mul(*(factor for factor in value.args if not factor.is_number))
+        return (
+            self._signed(True, [-number, *_ordered_factors(rest)])
+            if number < 0
+            else self._signed(False, [number, rest])
+        )
 
-    def _print_Pow(self, expr: sp.Pow) -> str:
-        base = self._print(expr.base)
-        if expr.exp == sp.Rational(1, 2):
-            return f"sqrt({base})"
-        if expr.exp == sp.Rational(-1, 2):
-            return f"(1.0/sqrt({base}))"
-        if not expr.exp.is_Integer:
-            raise ValueError(f"no kernel needs {expr}")
-        factor = base if expr.base.is_Symbol else f"({base})"
-        product = "*".join([factor] * abs(int(expr.exp)))
-        if expr.exp > 1:
+    def _power(self, value: sp.Pow) -> str:
+        base = self.doprint(value.base)
+        if not value.exp.is_Integer:
+            return f"sqrt({base})" if value.exp > 0 else f"(1.0/sqrt({base}))"
+        factor = base if value.base.is_Symbol else f"({base})"
+        product = "*".join([factor] * abs(int(value.exp)))
+        if value.exp > 1:
             return f"({product})"
-        return f"(1.0/({product}))" if expr.exp < -1 else f"(1.0/{product})"
+        return f"(1.0/({product}))" if value.exp < -1 else f"(1.0/{product})"
+
+    def _number(self, value: sp.Expr) -> str:
+        return repr(float(value) if value.is_Integer else float(value.evalf(30)))
+
+
+@lru_cache(maxsize=1 << 14)
+def _ordered_terms(total: sp.Add) -> tuple[sp.Expr, ...]:
+    """The terms of a sum in the order of SymPy's printers, NumPy and C alike: by the powers of the symbols, a to z."""
+    if total.args[0].is_Number and total.args[0].is_positive and len(total.args) == 2:
+        return tuple(total.as_ordered_terms())  # 1 - 2*x begins with the 1
+    powers: list[dict[str, int]] = []
+    for term in total.args:
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(term) if not factor.is_Number]
+        if not all(base.is_Symbol and exponent.is_Integer for base, exponent in factors):
+            return tuple(total.as_ordered_terms())
+        powers.append({base.name: int(exponent) for base, exponent in factors})
+    names = sorted({name for power in powers for name in power})
+    order = sorted(range(len(powers)), key=lambda k: [-powers[k].get(name, 0) for name in names])
+    return tuple(total.args[k] for k in order)
+
+
+@lru_cache(maxsize=1 << 14)
+def _ordered_factors(product: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The factors of a product in the order of SymPy's printers."""
+    number = [factor for factor in sp.Mul.make_args(product) if factor.is_Number]
+    others = [factor for factor in sp.Mul.make_args(product) if not factor.is_Number]
+    others.sort(key=(lambda one: one.name) if all(one.is_Symbol for one in others) else sp.default_sort_key)
+    return (*number, *others)
 
 
 def horner_coefficients(value: sp.Expr) -> Polynomial | None:
     """(s, (c1, c2, ..)) of s*(c1 + s*(c2 + ..)); None where the value is something else or has one coefficient."""
     if not value.is_Mul or len(value.args) != 2:
         return None
-    candidates = [factor for factor in value.args if factor.is_Symbol]
-    return next(filter(None, (_nested(at, value) for at in candidates)), None)
-
-
-def _nested(at: sp.Symbol, value: sp.Expr) -> Polynomial | None:
+    at, inner = value.args if value.args[0].is_Symbol else value.args[::-1]
+    if not at.is_Symbol or not inner.is_Add:
+        return None
     coefficients: list[sp.Expr] = []
-    while value.has(at):
-        inner = value / at
-        if not inner.has(at):
-            coefficients.append(inner)
-            break
-        constants, leading = inner.as_independent(at, as_Add=True)
-        if not inner.is_Add or leading.is_Add:
+    while leading := [term for term in sp.Add.make_args(inner) if at in term.free_symbols]:
+        others = [factor for factor in sp.Mul.make_args(leading[0]) if factor is not at]
+        if len(leading) > 1 or not inner.is_Add or len(others) == len(sp.Mul.make_args(leading[0])):
             return None
-        coefficients.append(constants)
-        value = leading
-    return (at, tuple(coefficients)) if len(coefficients) > 1 else None
+        coefficients.append(sp.Add(*(term for term in inner.args if term is not leading[0])))
+        inner = sp.Mul(*others)
+    return (at, (*coefficients, inner)) if coefficients else None
 
 
 def variable_names(routine: Routine, taken: Collection[str]) -> Mapping[str, str]:

@@ -15,7 +15,6 @@ from trueaxis.derivation.chain import Vector
 from trueaxis.derivation.first_order import first_order
 from trueaxis.derivation.routine import (
     Argument,
-    Assignment,
     Binder,
     Routine,
     build,
@@ -25,6 +24,7 @@ from trueaxis.derivation.routine import (
     positions_argument,
     vector_argument,
 )
+from trueaxis.derivation.sharing import Assignment
 from trueaxis.derivation.views import ViewWalk, walk
 from trueaxis.error_name import ErrorName
 from trueaxis.machine.machine import ROTARY, Machine

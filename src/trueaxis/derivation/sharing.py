@@ -8,6 +8,7 @@ name becomes a part of is put together as it is, since nothing cancels in it.
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cmp_to_key, lru_cache
 from itertools import pairwise
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy.simplify.cse_main import Unevaluated, match_common_args
@@ -23,10 +24,12 @@ class _Tree:
 
     def __init__(self, value: sp.Expr, args: tuple["_Tree", ...]) -> None:
         self.value, self.func, self.args = value, value.func, args
-        self.size = 0.5 if value.is_Float else 1 + sum([arg.size for arg in args])  # as SymPy counts, which sorts by it
+        self.size: float = (
+            0.5 if value.is_Float else 1 + sum([arg.size for arg in args])
+        )  # as SymPy counts, which sorts by it
 
 
-_Form = _Tree | Unevaluated  # a part by the arguments that it has, or by others that make the same of it
+_Form: TypeAlias = Any  # a _Tree, or SymPy's Unevaluated: what a part is made of, by other arguments than it has
 _Forms = dict[_Form, _Form]
 
 
@@ -122,7 +125,7 @@ def _repeated(roots: Iterable[_Tree], forms: _Forms) -> set[_Form]:
             repeated.add(part)
             return
         seen.add(part)
-        for arg in forms.get(part, part).args:
+        for arg in (forms[part] if part in forms else part).args:
             look(arg)
 
     for root in roots:
@@ -133,7 +136,7 @@ def _repeated(roots: Iterable[_Tree], forms: _Forms) -> set[_Form]:
 def _in_order(form: _Form) -> Sequence[_Form]:
     """The arguments of a sum or product in the order in which they get their names: smaller ones first."""
     if isinstance(form, Unevaluated) or form.func not in (sp.Add, sp.Mul):
-        return form.args
+        return tuple(form.args)
     args = sorted(form.args, key=lambda arg: arg.size)
     if any(one.size == other.size and one.args for one, other in pairwise(args)):
         args.sort(key=lambda arg: (arg.size, sp.default_sort_key(arg.value)))
@@ -176,16 +179,17 @@ def operations(value: sp.Expr) -> int:
     if not value.args:
         return int(value.is_Rational and (value.is_negative + (value.q != 1)))
     if value.is_Add:
-        negative = [_is_negative(term) for term in value.args]
+        negative = [is_negative(term) for term in value.args]
         terms = [-term if minus else term for term, minus in zip(value.args, negative, strict=True)]
         return len(terms) - 1 + all(negative) + sum(map(operations, terms))
     if value.is_Mul and all(factor.is_Symbol or factor.is_Add or factor.is_Integer for factor in value.args):
         first = value.args[0]
-        count = len(value.args) - 1 - (first is sp.S.NegativeOne) + _is_negative(value)
+        count = len(value.args) - 1 - (first is sp.S.NegativeOne) + is_negative(value)
         return count + sum(map(operations, value.args if not first.is_Number else value.args[1:]))
     return int(sp.count_ops(value))
 
 
-def _is_negative(value: sp.Expr) -> bool:
+def is_negative(value: sp.Expr) -> bool:
+    """Whether a number, or the number of a product, is negative."""
     first = value.args[0] if value.is_Mul else value
     return bool(first.is_Number and first.is_negative)

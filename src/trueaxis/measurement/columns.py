@@ -140,6 +140,8 @@ def note(table: Table, name: str, wrong: BoolArray, faults: Faults, problem: str
     many cells is one fault.
     """
     rows = np.flatnonzero(wrong)
+    if not rows.size:
+        return
     same = _rows_of_texts(table.frame[name].gather(rows), rows)
     for first, *others in same:
         named = ", ".join(table.place(row) for row in others[:MOST_NAMED])
