@@ -13,6 +13,7 @@ from trueaxis.machine.machine import LINEAR, Body, Machine
 from trueaxis.machine.topology import branches
 
 Vector = tuple[sp.Expr, sp.Expr, sp.Expr]
+_PLANES = {"A": (1, 2), "B": (2, 0), "C": (0, 1)}  # places of the coordinates that a rotation mixes
 ZERO: Vector = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
 
 
@@ -108,11 +109,22 @@ def product(joints: tuple[Joint, ...]) -> sp.Matrix:
 
 def rotation(axis: str, cosine: sp.Expr, sine: sp.Expr) -> sp.Matrix:
     """3x3 rotation about X (A), Y (B) or Z (C)."""
-    first, second = {"A": (1, 2), "B": (2, 0), "C": (0, 1)}[axis]
+    first, second = _PLANES[axis]
     result = sp.eye(3)
     result[first, first] = result[second, second] = cosine
     result[second, first], result[first, second] = sine, -sine
     return result
+
+
+def turned(turn: Turn, vector: Vector, sign: int = 1) -> Vector:
+    """The vector after the rotation, or after its inverse where the sign is -1."""
+    result = list(vector)
+    first, second = _PLANES[turn.axis]
+    sine = sign * turn.sine
+    result[first] = turn.cosine * vector[first] - sine * vector[second]
+    result[second] = sine * vector[first] + turn.cosine * vector[second]
+    x, y, z = result
+    return x, y, z
 
 
 def cross_matrix(vector: Vector) -> sp.Matrix:

@@ -129,8 +129,13 @@ def _folds(machine: Machine, entry: Mapping[str, sp.Expr]) -> Folds:
     axis_of: dict[str, str] = {component: component.axis for component in machine.components}
     folds: Folds = {}
     for name, value in entry.items():
-        for monomial, constant in sp.Poly(value, *generators).terms():
-            folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, constant))
+        constants: dict[Monomial, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(value):  # columns are sums of products
+            powers = term.as_powers_dict()
+            monomial = tuple(int(powers.pop(generator, 0)) for generator in generators)
+            constants.setdefault(monomial, []).append(sp.Mul(*(base**power for base, power in powers.items())))
+        for monomial, terms in constants.items():
+            folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, sp.Add(*terms)))
     return folds
 
 

@@ -17,6 +17,7 @@ below it. The angle between two axes departs from 90 deg by the scalar product o
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -35,7 +36,9 @@ from trueaxis.derivation.chain import (
     joint,
     matrix,
     rotation,
+    turned,
 )
+from trueaxis.derivation.sharing import renamed
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
@@ -58,8 +61,12 @@ class FirstOrder:
         return x, y, z
 
 
+@cache
 def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
     """Walk a point through a view to first order; `point` in the frame of the seen body, mm."""
+    generic = symbols.point()
+    if point != generic and all(coordinate.is_Symbol for coordinate in point):
+        return _of_point(first_order(view, generic), dict(zip(generic, point, strict=True)))
     at = point
     columns: dict[str, Vector] = {}
     for factor in view.walk:
@@ -67,10 +74,9 @@ def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
         match factor.step:
             case Shift(by):
                 at = added(at, by, sign)
-            case Turn(axis, cosine, sine):
-                turn = rotation(axis, cosine, sign * sine).tolist()
-                at = _turned(turn, at)
-                columns = {name: _turned(turn, column) for name, column in columns.items()}
+            case Turn() as turn:
+                at = turned(turn, at, sign)
+                columns = {name: turned(turn, column, sign) for name, column in columns.items()}
             case Error(_, _, names):
                 for name, effect in zip(names, _generators(at), strict=True):
                     if name is not None:
@@ -79,16 +85,19 @@ def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
     return FirstOrder(expanded(at), {name: expanded(column) for name, column in columns.items()})
 
 
+def _of_point(found: FirstOrder, names: Mapping[sp.Symbol, sp.Symbol]) -> FirstOrder:
+    def told(vector: Vector) -> Vector:
+        x, y, z = (renamed(value, names) for value in vector)
+        return x, y, z
+
+    return FirstOrder(told(found.ideal), {name: told(column) for name, column in found.columns.items()})
+
+
 def _generators(at: Vector) -> tuple[Vector, ...]:
     """What a unit of each of the six errors does to a point: displacements, then rotations about X, Y and Z."""
     x, y, z = at
     one, zero = sp.S.One, sp.S.Zero
     return (one, zero, zero), (zero, one, zero), (zero, zero, one), (zero, -z, y), (z, zero, -x), (-y, x, zero)
-
-
-def _turned(turn: list[list[sp.Expr]], vector: Vector) -> Vector:
-    x, y, z = (sp.Add(*(a * b for a, b in zip(row, vector, strict=True))) for row in turn)
-    return x, y, z
 
 
 @dataclass(frozen=True)
@@ -99,6 +108,7 @@ class Squareness:
     product: sp.Expr
 
 
+@cache
 def squarenesses(machine: Machine) -> tuple[Squareness, ...]:
     """Every pair of linear axes, at home of the rotary axes."""
     linear = [axis for axis in machine.axes if axis in LINEAR]
@@ -112,17 +122,17 @@ def squarenesses(machine: Machine) -> tuple[Squareness, ...]:
 
 def _direction(machine: Machine, axis: str) -> sp.Matrix:
     mover = machine.mover(axis)
-    turned = sp.eye(3)
+    frame = sp.eye(3)
     for body in branch(machine, mover.number):
         part = joint(body)
         for step in (part.position_error, part.motion):
             match step:
                 case Error(_, angles, _):
-                    turned = turned * (sp.eye(3) + cross_matrix(angles))
+                    frame = frame * (sp.eye(3) + cross_matrix(angles))
                 case Turn(letter, _, _):
-                    turned = turned * rotation(letter, sp.S.One, sp.S.Zero)
+                    frame = frame * rotation(letter, sp.S.One, sp.S.Zero)
     way = sp.Matrix([mover.sense if axis == letter else 0 for letter in LINEAR])
-    return turned * way
+    return frame * way
 
 
 def _linear(machine: Machine, value: sp.Expr) -> sp.Expr:
@@ -159,11 +169,11 @@ def branch_steps(joints: tuple[Joint, ...]) -> tuple[BranchStep, ...]:
             for index, name in enumerate(factor.names):
                 if name is None:
                     continue
-                turned = expanded(at[:3, index % 3])
+                way = expanded(at[:3, index % 3])
                 if index < 3:
-                    displacements[name] = turned
+                    displacements[name] = way
                 else:
-                    rotations[name] = turned
-                    displacements[name] = cross(expanded(at[:3, 3]), turned)
+                    rotations[name] = way
+                    displacements[name] = cross(expanded(at[:3, 3]), way)
         steps.append(BranchStep(part, at, rotations, displacements))
     return tuple(steps)

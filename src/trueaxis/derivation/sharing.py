@@ -125,7 +125,8 @@ def _repeated(roots: Iterable[_Tree], forms: _Forms) -> set[_Form]:
             repeated.add(part)
             return
         seen.add(part)
-        for arg in (forms[part] if part in forms else part).args:
+        form: _Form = forms.get(part, part)
+        for arg in form.args:
             look(arg)
 
     for root in roots:

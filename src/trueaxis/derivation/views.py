@@ -9,10 +9,11 @@ The deviation is never the difference of two positions, so it keeps its digits: 
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
-from trueaxis.derivation.chain import ZERO, Error, Joint, Shift, Step, Turn, Vector, added, chains, cross, rotation
+from trueaxis.derivation.chain import ZERO, Error, Joint, Shift, Step, Turn, Vector, added, chains, cross, turned
 from trueaxis.derivation.routine import Binder
 from trueaxis.machine.machine import Machine
 from trueaxis.view import Carrier, Frame, View
@@ -36,6 +37,7 @@ class ViewWalk:
     walk: tuple[Factor, ...]
 
 
+@cache
 def views(machine: Machine) -> tuple[ViewWalk, ...]:
     """The views of a machine: tool_in_workpiece (Eq. 4), tool_in_bed and workpiece_in_bed (Eq. 53), bed_in_workpiece.
 
@@ -92,9 +94,8 @@ def walk(
         match factor.step:
             case Shift(by) if not direction:
                 p = _bound(binder, added(p, by, sign))
-            case Turn(axis, cosine, sine):
-                turn = rotation(axis, cosine, sign * sine)
-                p, d = _bound(binder, turn * sp.Matrix(p)), _bound(binder, turn * sp.Matrix(d))
+            case Turn() as turn:
+                p, d = _bound(binder, turned(turn, p, sign)), _bound(binder, turned(turn, d, sign))
             case Error(displacement, angles, names) if any(names):
                 shift = ZERO if direction else displacement
                 if not exact:

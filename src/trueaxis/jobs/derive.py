@@ -5,17 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.printed import Printed
 from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine, read_machine
-from trueaxis.machine.machine import LINEAR
-from trueaxis.model.errors import ErrorValues
-from trueaxis.model.kernels import numpy_kernels
 from trueaxis.model.manifest import other_spec, spec_label
-from trueaxis.model.model import MachineModel
 from trueaxis.view import Carrier
 
 if TYPE_CHECKING:
@@ -71,6 +65,7 @@ def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = N
     from trueaxis.codegen.check import differences, write  # noqa: PLC0415
     from trueaxis.codegen.render import render  # noqa: PLC0415
     from trueaxis.derivation.model import derive_model  # noqa: PLC0415
+    from trueaxis.derivation.tool_ranges import tool_ranges  # noqa: PLC0415
 
     spec, folder = Path(machine), Path(out)
     record = read_machine(spec)
@@ -90,7 +85,7 @@ def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = N
         files=() if check else tuple(folder / name for name in files),
         differences=differing,
         systems=tuple(SolvedSystem(runs=one.runs, unknowns=one.unknowns, rank=one.rank) for one in systems),
-        tool_ranges=_tool_ranges(record, files["kernels.py"], folder / "kernels.py"),
+        tool_ranges=tool_ranges(record),
     )
 
 
@@ -110,22 +105,6 @@ def check_kinds(machine: Machine, spec: Path) -> None:
 
     if faults := faults_of_kinds(machine, str(spec)):
         raise InputError(faults)
-
-
-def _tool_ranges(machine: Machine, kernels: bytes, path: Path) -> dict[str, tuple[float, float]]:
-    """Coordinate of the workpiece, mm, from the lowest to the highest position of each linear axis that has a travel:
-    of the origin of the tool frame, all other axes where they are nearest to 0, named dimensions 0.
-    """
-    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine=machine.name))
-    rest = np.array([float(np.clip(0.0, *machine.travel[axis])) for axis in machine.axes])
-    found = {}
-    for row, axis in enumerate(machine.axes):
-        if axis in LINEAR and machine.mover(axis).travel is not None:
-            ends = np.repeat(rest[:, np.newaxis], 2, axis=1)
-            ends[row] = machine.travel[axis]
-            first, last = model.view_ideal("tool_in_workpiece", ends, np.zeros((3, 1)))[LINEAR.index(axis)]
-            found[axis] = (float(first), float(last))
-    return found
 
 
 def identification_runs(machine: Machine, spec: Path, given: Path | None = None) -> "tuple[RunPattern, ...]":
