@@ -15,10 +15,11 @@ import numpy.typing as npt
 import sympy as sp
 
 from trueaxis.codegen.latex import WIDEST, Latex, block_width, broken
-from trueaxis.codegen.numpy_source import numpy_source
+from trueaxis.codegen.numpy_source import module_source
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Joint, Vector, chains, matrix
 from trueaxis.derivation.first_order import BranchStep, Columns, FirstOrder, branch_steps, first_order
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.routine import Routine
 from trueaxis.derivation.views import view
 from trueaxis.machine.machine import ROTARY, Machine
@@ -118,7 +119,7 @@ def _pose(ideal: Vector) -> sp.Matrix:
     result = sp.eye(4)
     result[:3, :3] = sp.Matrix(ideal).jacobian(symbols.point())
     result[:3, 3] = sp.Matrix(ideal).xreplace(dict.fromkeys(symbols.point(), sp.S.Zero))
-    return result.applyfunc(sp.expand)
+    return result.applyfunc(multiplied_out)
 
 
 def matrix_rows(name: str, value: sp.Matrix, latex: Latex, element: str) -> Iterator[Row]:
@@ -146,7 +147,7 @@ def _joint(part: Joint, latex: Latex) -> JointText:
     kept = [(each, value) for each, value in values if value != sp.eye(4)]
     product = sp.eye(4)
     for _, value in kept:
-        product = (product * value).applyfunc(sp.expand)
+        product = (product * value).applyfunc(multiplied_out)
     rows = tuple(matrix_rows(name, product, latex, name + "_{{{}}}")) if len(kept) > 1 else ()
     title = f"Body {part.body.number}, {part.body.name}, on body {part.body.lower}"
     return JointText(title, tuple((each, latex(value)) for each, value in kept), rows)
@@ -181,7 +182,7 @@ def _step(step: BranchStep, before: int, latex: Latex) -> StepText:
 
 
 def _entry(columns: Columns, row: int) -> dict[str, sp.Expr]:
-    return {name: sp.expand(column[row]) for name, column in columns.items()}
+    return {name: multiplied_out(column[row]) for name, column in columns.items()}
 
 
 def _turned(back: sp.Matrix, latex: Latex) -> Iterator[Row]:
@@ -212,7 +213,8 @@ class DroppedTerms:
 def dropped_terms(machine: Machine, routines: tuple[Routine, ...]) -> DroppedTerms:
     """The size of the dropped terms at the tool frame's origin, errors of the default sizes of [prior]."""
     module = ModuleType("kernels")
-    exec(numpy_source(machine, tuple(r for r in routines if r.name in (_EXACT, _FIRST))), module.__dict__)
+    used = tuple(routine for routine in routines if routine.name in (_EXACT, _FIRST))
+    exec(module_source(used, {}, digest="", spec="", command="", title="", turning=False), module.__dict__)
     positions = _positions(machine)
     drawn = random.Random(1)
     prior = Prior()  # not the spec's own: editing [prior] asks for no new files

@@ -6,6 +6,7 @@ from copy import copy
 
 import sympy as sp
 
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.symbols import describe
 from trueaxis.machine.machine import Machine
 
@@ -88,7 +89,7 @@ class Latex:
         factors: a factor follows each; the lengths that nothing turns are one term then, too.
         """
         groups: dict[sp.Expr, list[sp.Expr]] = {}
-        for term in sp.Add.make_args(sp.expand(value)):
+        for term in sp.Add.make_args(multiplied_out(value)):
             groups.setdefault(self._turned_by(term), []).append(term)
         for turn, terms in groups.items():
             if len(terms) == 1 or (turn == 1 and not (factors and len(groups) > 1)):

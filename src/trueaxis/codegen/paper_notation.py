@@ -16,6 +16,7 @@ from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector, chains, matrix
 from trueaxis.derivation.model import DerivedModel, system_name
 from trueaxis.derivation.motion import MotionEquation, motion_equation
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.systems import IdentificationSystem, Point, RunPattern
 from trueaxis.effects.latex import component_latex
 from trueaxis.machine.machine import Body, Machine
@@ -84,8 +85,8 @@ def form(machine: Machine, pattern: Pattern, reading: Reading) -> Form:
     """What a reading is, to first order."""
     equation = motion(machine, pattern.axes, reading.label)
     row = AXES.index(reading.direction)
-    columns = {name: sp.expand(column[row]) for name, column in equation.motion.columns.items()}
-    return Form(sp.expand(equation.motion.ideal[row]), {n: c for n, c in columns.items() if c != 0})
+    columns = {name: multiplied_out(column[row]) for name, column in equation.motion.columns.items()}
+    return Form(multiplied_out(equation.motion.ideal[row]), {n: c for n, c in columns.items() if c != 0})
 
 
 def _in_frame(end: Body, at: Vector) -> Vector:
@@ -100,7 +101,7 @@ def by_monomial(columns: Mapping[str, sp.Expr]) -> list[tuple[sp.Expr, dict[str,
     """A linear form sorted by the monomials of its coefficients: (monomial, number of each error)."""
     groups: dict[sp.Expr, dict[str, sp.Expr]] = {}
     for name, coefficient in columns.items():
-        for term in sp.Add.make_args(sp.expand(coefficient)):
+        for term in sp.Add.make_args(multiplied_out(coefficient)):
             number, monomial = term.as_coeff_Mul()
             groups.setdefault(monomial, {})[name] = number
     return sorted(groups.items(), key=lambda item: item[0] != 1)

@@ -23,6 +23,7 @@ from trueaxis.codegen.paper_notation import (
     table_3,
 )
 from trueaxis.derivation.model import DerivedModel
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.machine.machine import Machine
 from trueaxis.view import view_of
 
@@ -257,7 +258,7 @@ def _rotation_row(
 ) -> Row:
     """(difference of two readings less what is known) / (difference of two coordinates)."""
     first, second = (forms[k] for k in rows)
-    base = sp.expand(first.columns[rotation] - second.columns[rotation])
+    base = multiplied_out(first.columns[rotation] - second.columns[rotation])
     order = list(rows)
     sign = 1
     lead = base.as_ordered_terms()[0]
@@ -265,12 +266,12 @@ def _rotation_row(
         base, sign = -base, -1
         order.reverse()
     difference = {
-        name: sp.expand(-sign * (first.columns.get(name, 0) - second.columns.get(name, 0)))
+        name: multiplied_out(-sign * (first.columns.get(name, 0) - second.columns.get(name, 0)))
         for name in {**first.columns, **second.columns}
         if name not in (rotation, displacement)
     }
     readings = [f"+ {system.readings[order[0]].latex}", f"- {system.readings[order[1]].latex}"]
-    ideal = latex.terms(-sign * sp.expand(first.ideal - second.ideal))
+    ideal = latex.terms(-sign * multiplied_out(first.ideal - second.ideal))
     top = joined([*readings, *ideal, *latex.linear(difference)])
     return f"{latex.symbol(rotation)} &= \\frac{{{top}}}{{{joined(latex.terms(base))}}}"
 

@@ -11,6 +11,7 @@ from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
 from trueaxis.derivation.model import motion_name, system_name
 from trueaxis.derivation.motion import MotionEquation
+from trueaxis.derivation.products import linear_form, multiplied_out
 from trueaxis.derivation.systems import IdentificationSystem, RunPattern
 from trueaxis.machine.machine import Machine
 from trueaxis.view import view_of
@@ -71,9 +72,8 @@ def motion_text(equation: MotionEquation, latex: Latex, references: dict[str, st
 
 def coefficients(machine: Machine, value: sp.Expr) -> dict[str, sp.Expr]:
     """A linear form of errors as its coefficients, in the machine's order."""
-    expanded = sp.expand(value)
-    found = {n: expanded.coeff(symbols.named(n)) for n in machine.components + machine.location_errors}
-    return {name: coefficient for name, coefficient in found.items() if coefficient != 0}
+    found = linear_form(value, map(symbols.named, machine.components + machine.location_errors))
+    return {symbol.name: coefficient for symbol, coefficient in found.items()}
 
 
 def system_text(
@@ -126,12 +126,12 @@ def _solution(system: IdentificationSystem, names: list[str], latex: Latex) -> I
     """Each unknown by Cramer's rule from the right-hand sides b_k."""
     if system.inverse is None or system.determinant is None:
         return
-    adjugate, determinant = system.matrix.adjugate(), sp.expand(system.determinant)
+    adjugate, determinant = system.matrix.adjugate(), multiplied_out(system.determinant)
     plain = determinant in (1, -1)
     if not plain:
         yield broken("D", latex.terms(determinant))
     for name, row in zip(system.unknowns, range(adjugate.rows), strict=True):
-        entries = [sp.expand(entry * (determinant if plain else 1)) for entry in adjugate.row(row)]
+        entries = [multiplied_out(entry * (determinant if plain else 1)) for entry in adjugate.row(row)]
         left = latex.symbol(name) if plain else f"D\\,{latex.symbol(name)}"
         yield broken(left, list(products(entries, names, latex)))
 
@@ -141,7 +141,7 @@ def products(entries: list[sp.Expr], names: list[str], latex: Latex) -> Iterator
     for entry, name in zip(entries, names, strict=True):
         if entry == 0:
             continue
-        sign, size = ("-", sp.expand(-entry)) if is_negative(entry) else ("+", entry)
+        sign, size = ("-", multiplied_out(-entry)) if is_negative(entry) else ("+", entry)
         inner = joined(latex.terms(size))
         if size == 1:
             yield f"{sign} {name}"

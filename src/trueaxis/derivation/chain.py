@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derivation import symbols
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.error_name import DIRECTIONS
 from trueaxis.machine.machine import LINEAR, Body, Machine
 from trueaxis.machine.topology import branches
@@ -147,7 +148,7 @@ def added(left: Vector, right: Vector, sign: int = 1) -> Vector:
 
 def expanded(vector: Vector) -> Vector:
     """The same as sums of products."""
-    x, y, z = (value if value.is_Atom else sp.expand(value) for value in vector)
+    x, y, z = map(multiplied_out, vector)
     return x, y, z
 
 

@@ -38,6 +38,7 @@ from trueaxis.derivation.chain import (
     rotation,
     turned,
 )
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.sharing import renamed
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
@@ -164,7 +165,7 @@ def branch_steps(joints: tuple[Joint, ...]) -> tuple[BranchStep, ...]:
         displacements: dict[str, Vector] = {}
         for factor in part.steps:
             if not isinstance(factor, Error):
-                at = (at * matrix(factor)).applyfunc(sp.expand)
+                at = (at * matrix(factor)).applyfunc(multiplied_out)
                 continue
             for index, name in enumerate(factor.names):
                 if name is None:

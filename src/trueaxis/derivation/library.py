@@ -7,6 +7,7 @@ import sympy as sp
 from trueaxis.derivation import symbols
 from trueaxis.derivation.curve_routines import curve_routines
 from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.routine import (
     Argument,
     Binder,
@@ -243,7 +244,7 @@ def _correction(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
 
 def _inverse(machine: Machine, jacobian: sp.Matrix) -> sp.Matrix:
     pythagoras = {symbols.sine(axis) ** 2: 1 - symbols.cosine(axis) ** 2 for axis in machine.axes if axis in ROTARY}
-    gram = (jacobian * jacobian.T).applyfunc(lambda entry: sp.expand(sp.expand(entry).subs(pythagoras)))
+    gram = (jacobian * jacobian.T).applyfunc(lambda entry: multiplied_out(multiplied_out(entry).subs(pythagoras)))
     if gram == sp.eye(3):
         return jacobian.T
     return jacobian.adjugate() / jacobian.det()

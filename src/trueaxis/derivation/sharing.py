@@ -11,10 +11,12 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 import sympy as sp
+from sympy.core.basic import ordering_of_classes
 from sympy.simplify.cse_main import Unevaluated, match_common_args
 
 Assignment = tuple[sp.Symbol, sp.Expr]
-_place = cmp_to_key(sp.Basic.compare)  # of an argument among those of a sum or product
+_RANKS = {name: rank for rank, name in enumerate(ordering_of_classes)}
+_compared = cmp_to_key(sp.Basic.compare)
 
 
 class _Tree:
@@ -159,8 +161,21 @@ def put_together(func: type[sp.Expr], args: list[sp.Expr]) -> sp.Expr:
     numbers = [arg for arg in args if arg.is_Number]
     if len(numbers) > 1:
         return func(*args)
-    others = sorted([arg for arg in args if not arg.is_Number], key=_place)
+    others = [arg for arg in args if not arg.is_Number]
+    others.sort(key=_compared if None in map(_place, others) else _place)
     return func._from_args(numbers + others, is_commutative=True)
+
+
+@lru_cache(maxsize=1 << 15)
+def _place(value: sp.Expr) -> tuple[Any, ...] | None:
+    """A key that sorts as SymPy compares arguments; None of what only that can compare."""
+    rank = _RANKS.get(type(value).__name__)
+    if value.is_Symbol:
+        return rank, 1, value.name
+    if value.is_Rational:
+        return rank, 2, value.p, value.q
+    places = [_place(arg) for arg in value.args]
+    return (rank, len(places), *places) if rank and places and None not in places else None
 
 
 def renamed(value: sp.Expr, names: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:

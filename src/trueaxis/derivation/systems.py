@@ -14,6 +14,7 @@ from trueaxis.blocks import solution_order
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
 from trueaxis.derivation.motion import MotionEquation, motion_equation
+from trueaxis.derivation.products import multiplied_out
 from trueaxis.error_name import DIRECTIONS, ErrorName
 from trueaxis.machine.machine import ROTARY, Machine
 from trueaxis.view import Carrier, Frame
@@ -172,7 +173,8 @@ def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[Carrier, Poin
     direction = [sp.Rational(repr(part)) for part in run.direction]
     columns = run_motion(machine, run, labels).motion.columns
     reading = {
-        name: sp.expand(sum(d * c for d, c in zip(direction, column, strict=True))) for name, column in columns.items()
+        name: multiplied_out(sum(d * c for d, c in zip(direction, column, strict=True)))
+        for name, column in columns.items()
     }
     return {name: value for name, value in reading.items() if value != 0}
 
