@@ -5,15 +5,14 @@ leaves them, are found again; variables are named as the symbols are.
 """
 
 from collections.abc import Collection, Mapping, Sequence
-from functools import lru_cache
 from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE, precedence
 
 from trueaxis.derivation.effect_terms import Absolute, Root, Sign, Step
+from trueaxis.derivation.expressions import is_negative, opposite, ordered_factors, ordered_terms
 from trueaxis.derivation.routine import Argument, Routine
-from trueaxis.derivation.sharing import is_negative
 
 Polynomial = tuple[sp.Symbol, tuple[sp.Expr, ...]]
 _SIGN = (PRECEDENCE["Mul"] + PRECEDENCE["Pow"]) / 2  # how strongly a sign holds the one factor behind it
@@ -33,7 +32,7 @@ class _Printer:
         if value.is_Symbol:
             return self._names.get(value.name, value.name)
         if value.is_Add:
-            first, *others = map(self.doprint, _ordered_terms(value))
+            first, *others = map(self.doprint, ordered_terms(value))
             return first + "".join(f" - {text[1:]}" if text[0] == "-" else f" + {text}" for text in others)
         if value.is_Mul:
             return self._product(value)
@@ -47,7 +46,7 @@ class _Printer:
 
     def _product(self, value: sp.Expr) -> str:
         minus = is_negative(value)
-        return self._signed(minus, _ordered_factors(-value if minus else value))
+        return self._signed(minus, ordered_factors(opposite(value) if minus else value))
 
     def _signed(self, minus: bool, factors: Sequence[sp.Expr]) -> str:
         """The product of factors, behind a minus sign or not; those of a negative power are divided by."""
@@ -129,9 +128,7 @@ class CPrinter(_Printer):
         number = sp.Float(number.evalf(30), 30)
         rest = sp.Mul(*(factor for factor in value.args if not factor.is_number))
         return (
-            self._signed(True, [-number, *_ordered_factors(rest)])
-            if number < 0
-            else self._signed(False, [number, rest])
+            self._signed(True, [-number, *ordered_factors(rest)]) if number < 0 else self._signed(False, [number, rest])
         )
 
     def _power(self, value: sp.Pow) -> str:
@@ -146,31 +143,6 @@ class CPrinter(_Printer):
 
     def _number(self, value: sp.Expr) -> str:
         return repr(float(value) if value.is_Integer else float(value.evalf(30)))
-
-
-@lru_cache(maxsize=1 << 14)
-def _ordered_terms(total: sp.Add) -> tuple[sp.Expr, ...]:
-    """The terms of a sum in the order of SymPy's printers, NumPy and C alike: by the powers of the symbols, a to z."""
-    if total.args[0].is_Number and total.args[0].is_positive and len(total.args) == 2:
-        return tuple(total.as_ordered_terms())  # 1 - 2*x begins with the 1
-    powers: list[dict[str, int]] = []
-    for term in total.args:
-        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(term) if not factor.is_Number]
-        if not all(base.is_Symbol and exponent.is_Integer for base, exponent in factors):
-            return tuple(total.as_ordered_terms())
-        powers.append({base.name: int(exponent) for base, exponent in factors})
-    names = sorted({name for power in powers for name in power})
-    order = sorted(range(len(powers)), key=lambda k: [-powers[k].get(name, 0) for name in names])
-    return tuple(total.args[k] for k in order)
-
-
-@lru_cache(maxsize=1 << 14)
-def _ordered_factors(product: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of a product in the order of SymPy's printers."""
-    number = [factor for factor in sp.Mul.make_args(product) if factor.is_Number]
-    others = [factor for factor in sp.Mul.make_args(product) if not factor.is_Number]
-    others.sort(key=(lambda one: one.name) if all(one.is_Symbol for one in others) else sp.default_sort_key)
-    return (*number, *others)
 
 
 def horner_coefficients(value: sp.Expr) -> Polynomial | None:

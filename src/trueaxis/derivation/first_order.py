@@ -38,8 +38,8 @@ from trueaxis.derivation.chain import (
     rotation,
     turned,
 )
+from trueaxis.derivation.expressions import renamed
 from trueaxis.derivation.products import multiplied_out
-from trueaxis.derivation.sharing import renamed
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from trueaxis.derivation.sharing import put_together
+from trueaxis.derivation.expressions import put_together
 
 _Sum = dict[tuple[sp.Symbol, ...], sp.Number]
 

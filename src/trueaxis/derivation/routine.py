@@ -10,12 +10,14 @@ functions. Both emitters and the documents print this record.
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 
 import sympy as sp
 
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
-from trueaxis.derivation.sharing import Assignment, operations, renamed, shared
+from trueaxis.derivation.expressions import operations, renamed
+from trueaxis.derivation.sharing import Assignment, shared
 from trueaxis.machine.machine import ROTARY, Machine
 
 _RADIAN_PER_DEGREE = sp.Float(math.radians(1.0), 17)  # the very double that both emitters print
@@ -67,7 +69,7 @@ class Binder:
         negative = value.is_Mul and len(value.args) == 2 and value.args[0] is sp.S.NegativeOne
         if value.is_Atom or (negative and value.args[1].is_Atom):
             return value
-        name = sp.Symbol(f"{self._prefix}{len(self.assignments)}", real=True)
+        name = symbols.named(f"{self._prefix}{len(self.assignments)}")
         self.assignments.append((name, value))
         return name
 
@@ -91,7 +93,7 @@ def build(
     """
     targets = [target for target, _ in bound] + [symbols.named(row) for row in results]
     values = [value for _, value in bound] + list(results.values())
-    common, values = shared(values, sp.numbered_symbols("_shared", real=True))
+    common, values = shared(values, (symbols.named(f"_shared{k}") for k in count()))
     needed = {row for output in outputs for row in output.rows}
     ordered = _ordered(_without_copies([*common, *zip(targets, values, strict=True)], needed), needed)
     stages = _staged(ordered, inputs)
@@ -170,7 +172,7 @@ def _staged(ordered: Sequence[Assignment], inputs: Sequence[Argument]) -> tuple[
 
 def _renamed(stage: Sequence[Assignment], ordered: Sequence[Assignment], needed: set[str]) -> tuple[Assignment, ...]:
     temporary = [target for target, _ in ordered if target.name not in needed]
-    names = {target: sp.Symbol(f"w{index}", real=True) for index, target in enumerate(temporary)}
+    names = {target: symbols.named(f"w{index}") for index, target in enumerate(temporary)}
     return tuple((names.get(target, target), renamed(value, names)) for target, value in stage)
 
 

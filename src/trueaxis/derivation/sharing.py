@@ -1,38 +1,41 @@
 """Common subexpressions as `sympy.cse` shares them, under the same names, at a small part of what it takes.
 
-SymPy compares, hashes and sorts an expression anew wherever it stands, and works out every sum and product of which a
-name becomes a part. Here each part of the expressions is one object, which is told apart by being itself, and what a
-name becomes a part of is put together as it is, since nothing cancels in it.
+SymPy compares, hashes and sorts an expression anew wherever it stands. Here each part of the expressions is one object,
+which is told apart by being itself.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cmp_to_key, lru_cache
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import Any, TypeAlias
 
 import sympy as sp
-from sympy.core.basic import ordering_of_classes
-from sympy.simplify.cse_main import Unevaluated, match_common_args
+
+from trueaxis.derivation.expressions import put_together, simpler_opposite
 
 Assignment = tuple[sp.Symbol, sp.Expr]
-_RANKS = {name: rank for rank, name in enumerate(ordering_of_classes)}
-_compared = cmp_to_key(sp.Basic.compare)
 
 
-class _Tree:
-    """A part of the expressions, the same object wherever it stands."""
+class _Part:
+    """A part of the expressions, the same object wherever it stands; value: None of one that is but a form of another."""
 
     __slots__ = ("args", "func", "size", "value")
 
-    def __init__(self, value: sp.Expr, args: tuple["_Tree", ...]) -> None:
-        self.value, self.func, self.args = value, value.func, args
-        self.size: float = (
-            0.5 if value.is_Float else 1 + sum([arg.size for arg in args])
-        )  # as SymPy counts, which sorts by it
+    def __init__(self, func: type[sp.Expr], args: Sequence["_Part"], value: sp.Expr | None = None) -> None:
+        self.func, self.args, self.value = func, args, value
+        # as SymPy counts, which sorts by it
+        self.size: float = 0.5 if value is not None and value.is_Float else 1 + sum([arg.size for arg in args])
+
+    def ordered(self) -> Sequence["_Part"]:
+        """The arguments of a sum or product in the order in which they get their names: smaller ones first."""
+        if self.value is None or self.func not in (sp.Add, sp.Mul):
+            return self.args
+        args = sorted(self.args, key=lambda arg: arg.size)
+        if any(one.size == other.size and one.args for one, other in pairwise(args)):
+            args.sort(key=lambda arg: (arg.size, sp.default_sort_key(arg.value)))
+        return args
 
 
-_Form: TypeAlias = Any  # a _Tree, or SymPy's Unevaluated: what a part is made of, by other arguments than it has
-_Forms = dict[_Form, _Form]
+Forms = dict[_Part, _Part]  # what a part is made of, instead of its arguments
 
 
 def shared(values: Sequence[sp.Expr], names: Iterator[sp.Symbol]) -> tuple[list[Assignment], list[sp.Expr]]:
@@ -40,28 +43,30 @@ def shared(values: Sequence[sp.Expr], names: Iterator[sp.Symbol]) -> tuple[list[
 
     names: for the assignments; the values have none of them.
     """
-    trees: dict[sp.Expr, _Tree] = {}
+    parts: dict[sp.Expr, _Part] = {}
 
-    def tree(value: sp.Expr) -> _Tree:
-        found = trees.get(value)
+    def part_of(value: sp.Expr) -> _Part:
+        found = parts.get(value)
         if found is None:
-            found = trees[value] = _Tree(value, tuple([tree(arg) for arg in value.args]))
+            found = parts[value] = _Part(value.func, [part_of(arg) for arg in value.args], value)
         return found
 
-    roots = [tree(value) for value in values]
-    forms = _forms(roots, tree)
+    roots = [part_of(value) for value in values]
+    forms = _forms(roots, part_of)
     repeated = _repeated(roots, forms)
-    done: dict[_Form, sp.Symbol] = {}
+    done: dict[_Part, sp.Symbol] = {}
     assignments: list[Assignment] = []
 
-    def made(part: _Form) -> sp.Expr:
+    def made(part: _Part) -> sp.Expr:
         if not part.args:
             return part.value
         if part in done:
             return done[part]
         form = forms.get(part, part)
-        args = [made(arg) for arg in _in_order(form)]
-        value = _put_together(form, args)
+        args = form.ordered()
+        values = [made(arg) for arg in args]
+        unchanged = form.value is not None and all(one is arg.value for one, arg in zip(values, args, strict=True))
+        value = form.value if unchanged else put_together(form.func, values)
         if part not in repeated:
             return value
         done[part] = name = next(names)
@@ -72,140 +77,101 @@ def shared(values: Sequence[sp.Expr], names: Iterator[sp.Symbol]) -> tuple[list[
     return assignments, left
 
 
-def _forms(roots: Iterable[_Tree], tree: Callable[[sp.Expr], _Tree]) -> _Forms:
-    """Parts that are the opposite of a simpler one, divisions, and parts of sums and products that others have, too."""
-    forms: _Forms = {}
-    sums: dict[_Tree, None] = {}
-    products: dict[_Tree, None] = {}
-    minus_one = tree(sp.S.NegativeOne)
-    seen: set[_Tree] = set()
+def _forms(roots: Iterable[_Part], part_of: Callable[[sp.Expr], _Part]) -> Forms:
+    """Of parts that are the opposite of a simpler one, of divisions, and of sums and products that have more than one
+    argument in common.
+    """
+    forms: Forms = {}
+    sums: dict[_Part, None] = {}
+    products: dict[_Part, None] = {}
+    minus_one = part_of(sp.S.NegativeOne)
+    seen: set[_Part] = set()
 
-    def look(part: _Tree) -> None:
+    def look(part: _Part) -> None:
         if not part.args or part in seen:
             return
         seen.add(part)
         for arg in part.args:
             look(arg)
-        opposite = _opposite(part.value)
-        if opposite is not None and opposite.args:
-            forms[part] = Unevaluated(sp.Mul, (minus_one, tree(opposite)))
-            part = tree(opposite)
+        simpler = simpler_opposite(part.value)
+        if simpler is not None and simpler.args:
+            forms[part] = _Part(sp.Mul, (minus_one, part_of(simpler)))
+            part = part_of(simpler)
             seen.add(part)
         if part.func is sp.Mul:
             products[part] = None
         elif part.func is sp.Add:
             sums[part] = None
         elif part.func is sp.Pow and part.value.exp.could_extract_minus_sign():
-            forms[part] = Unevaluated(sp.Pow, (tree(1 / part.value), minus_one))
+            forms[part] = _Part(sp.Pow, (part_of(1 / part.value), minus_one))
 
     for root in roots:
         look(root)
-    match_common_args(sp.Add, sums, forms)
-    match_common_args(sp.Mul, products, forms)
+    forms |= _matched(sp.Add, sums)
+    forms |= _matched(sp.Mul, products)
     return forms
 
 
-@lru_cache(maxsize=1 << 14)
-def _opposite(value: sp.Expr) -> sp.Expr | None:
-    """The opposite of a sum or product, where that has fewer minus signs; else None."""
-    if value.is_Mul:
-        return -value if value.args[0].is_Number and value.args[0].is_negative else None
-    if not value.is_Add or not value.could_extract_minus_sign():
-        return None
-    return sp.Add(*(-term for term in value.args))
+def _matched(func: type[sp.Expr], wholes: Iterable[_Part]) -> Forms:
+    """Forms of the sums, or of the products, in which what two have in common is one argument, few arguments first."""
+    wholes = sorted(wholes, key=lambda whole: len(whole.args))
+    numbers: dict[_Part, int] = {}  # of the arguments
+    held = [{numbers.setdefault(arg, len(numbers)) for arg in whole.args} for whole in wholes]
+    holders: dict[int, set[int]] = {number: set() for number in numbers.values()}
+    for k, own in enumerate(held):
+        for number in own:
+            holders[number].add(k)
+    changed: set[int] = set()
+
+    def replace(k: int, common: set[int], by: int) -> None:
+        held[k] = held[k] - common | {by}
+        for number in common:
+            holders[number].discard(k)
+        holders[by].add(k)
+        changed.add(k)
+
+    def form(own: set[int]) -> _Part:
+        arguments = list(numbers)
+        return _Part(func, [arguments[number] for number in sorted(own)])
+
+    forms: Forms = {}
+    for i, whole in enumerate(wholes):
+        counts = Counter(k for number in held[i] for k in holders[number] if k > i)
+        candidates = sorted((k for k, count in counts.items() if count > 1), key=lambda k: (counts[k], k))
+        for place, j in enumerate(candidates):
+            common = held[i] & held[j]
+            if len(common) < 2:
+                continue  # in one already
+            own = common == held[i]
+            number = numbers.setdefault(whole if own else form(common), len(numbers))
+            holders.setdefault(number, set())
+            if not own:
+                replace(i, common, number)
+            for k in candidates[place:]:
+                if common <= held[k]:
+                    replace(k, common, number)
+        if i in changed:
+            forms[whole] = form(held[i])
+        for number in held[i]:
+            holders[number].discard(i)
+    return forms
 
 
-def _repeated(roots: Iterable[_Tree], forms: _Forms) -> set[_Form]:
+def _repeated(roots: Iterable[_Part], forms: Forms) -> set[_Part]:
     """The parts that stand in more than one place."""
-    seen: set[_Form] = set()
-    repeated: set[_Form] = set()
+    seen: set[_Part] = set()
+    repeated: set[_Part] = set()
 
-    def look(part: _Form) -> None:
+    def look(part: _Part) -> None:
         if not part.args:
             return
         if part in seen:
             repeated.add(part)
             return
         seen.add(part)
-        form: _Form = forms.get(part, part)
-        for arg in form.args:
+        for arg in forms.get(part, part).args:
             look(arg)
 
     for root in roots:
         look(root)
     return repeated
-
-
-def _in_order(form: _Form) -> Sequence[_Form]:
-    """The arguments of a sum or product in the order in which they get their names: smaller ones first."""
-    if isinstance(form, Unevaluated) or form.func not in (sp.Add, sp.Mul):
-        return tuple(form.args)
-    args = sorted(form.args, key=lambda arg: arg.size)
-    if any(one.size == other.size and one.args for one, other in pairwise(args)):
-        args.sort(key=lambda arg: (arg.size, sp.default_sort_key(arg.value)))
-    return args
-
-
-def _put_together(form: _Form, args: list[sp.Expr]) -> sp.Expr:
-    if isinstance(form, _Tree) and all(one is other.value for one, other in zip(args, _in_order(form), strict=True)):
-        return form.value
-    return put_together(form.func, args)
-
-
-def put_together(func: type[sp.Expr], args: list[sp.Expr]) -> sp.Expr:
-    """func(*args); nothing is worked out of a sum or product of symbols and unlike parts."""
-    if func not in (sp.Add, sp.Mul) or any(isinstance(arg, func) or arg.is_Pow for arg in args):
-        return func(*args)
-    if func is sp.Mul and len(args) == 2 and any(arg.is_Add for arg in args) and any(arg.is_Number for arg in args):
-        return func(*args)  # the number is multiplied in
-    numbers = [arg for arg in args if arg.is_Number]
-    if len(numbers) > 1:
-        return func(*args)
-    others = [arg for arg in args if not arg.is_Number]
-    others.sort(key=_compared if None in map(_place, others) else _place)
-    return func._from_args(numbers + others, is_commutative=True)
-
-
-@lru_cache(maxsize=1 << 15)
-def _place(value: sp.Expr) -> tuple[Any, ...] | None:
-    """A key that sorts as SymPy compares arguments; None of what only that can compare."""
-    rank = _RANKS.get(type(value).__name__)
-    if value.is_Symbol:
-        return rank, 1, value.name
-    if value.is_Rational:
-        return rank, 2, value.p, value.q
-    places = [_place(arg) for arg in value.args]
-    return (rank, len(places), *places) if rank and places and None not in places else None
-
-
-def renamed(value: sp.Expr, names: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
-    """The value under other names, each of which stands for one."""
-    if not value.args:
-        return names.get(value, value)
-    args = [renamed(arg, names) for arg in value.args]
-    return (
-        value
-        if all(one is other for one, other in zip(args, value.args, strict=True))
-        else put_together(value.func, args)
-    )
-
-
-def operations(value: sp.Expr) -> int:
-    """Arithmetic operations and calls of functions, as `sympy.count_ops` counts them."""
-    if not value.args:
-        return int(value.is_Rational and (value.is_negative + (value.q != 1)))
-    if value.is_Add:
-        negative = [is_negative(term) for term in value.args]
-        terms = [-term if minus else term for term, minus in zip(value.args, negative, strict=True)]
-        return len(terms) - 1 + all(negative) + sum(map(operations, terms))
-    if value.is_Mul and all(factor.is_Symbol or factor.is_Add or factor.is_Integer for factor in value.args):
-        first = value.args[0]
-        count = len(value.args) - 1 - (first is sp.S.NegativeOne) + is_negative(value)
-        return count + sum(map(operations, value.args if not first.is_Number else value.args[1:]))
-    return int(sp.count_ops(value))
-
-
-def is_negative(value: sp.Expr) -> bool:
-    """Whether a number, or the number of a product, is negative."""
-    first = value.args[0] if value.is_Mul else value
-    return bool(first.is_Number and first.is_negative)

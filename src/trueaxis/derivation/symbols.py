@@ -45,7 +45,7 @@ def named(name: str) -> sp.Symbol:
 
 def point(prefix: str = "r") -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
     """Coordinates of a point in the frame of its body, mm."""
-    x, y, z = (sp.Symbol(prefix + axis, real=True) for axis in "xyz")
+    x, y, z = (named(prefix + axis) for axis in "xyz")
     return x, y, z
 
 
