@@ -117,13 +117,12 @@ def rotation(axis: str, cosine: sp.Expr, sine: sp.Expr) -> sp.Matrix:
     return result
 
 
-def turned(turn: Turn, vector: Vector, sign: int = 1) -> Vector:
-    """The vector after the rotation, or after its inverse where the sign is -1."""
+def turned(axis: str, cosine: sp.Expr, sine: sp.Expr, vector: Vector) -> Vector:
+    """The vector after a rotation about X (A), Y (B) or Z (C)."""
     result = list(vector)
-    first, second = _PLANES[turn.axis]
-    sine = sign * turn.sine
-    result[first] = turn.cosine * vector[first] - sine * vector[second]
-    result[second] = sine * vector[first] + turn.cosine * vector[second]
+    first, second = _PLANES[axis]
+    result[first] = cosine * vector[first] - sine * vector[second]
+    result[second] = sine * vector[first] + cosine * vector[second]
     x, y, z = result
     return x, y, z
 
@@ -142,7 +141,7 @@ def cross(left: Vector, right: Vector) -> Vector:
 
 def added(left: Vector, right: Vector, sign: int = 1) -> Vector:
     """The left vector plus sign times the right one."""
-    x, y, z = (a if b is sp.S.Zero else a + (b if sign == 1 else sign * b) for a, b in zip(left, right, strict=True))
+    x, y, z = (a if b is sp.S.Zero else a + b if sign == 1 else a - b for a, b in zip(left, right, strict=True))
     return x, y, z
 
 

@@ -4,7 +4,7 @@ SymPy works out every sum and product that it is given, and sorts it by comparin
 routine is made of are sums and products of symbols and of unlike parts, in which there is nothing to work out.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cmp_to_key, lru_cache
 from typing import Any
 
@@ -23,7 +23,8 @@ def put_together(func: type[sp.Expr], args: Sequence[sp.Expr]) -> sp.Expr:
     if func is sp.Mul and numbers and len(args) == 2 and any(arg.is_Add for arg in args):
         return func(*args)  # the number is multiplied in
     others = [arg for arg in args if not arg.is_Number]
-    others.sort(key=_compared if None in map(_place, others) else _place)
+    key: Callable[[sp.Expr], Any] = _compared if None in map(_place, others) else _place
+    others.sort(key=key)
     return func._from_args(numbers + others, is_commutative=True)
 
 

@@ -39,12 +39,13 @@ from trueaxis.derivation.chain import (
     turned,
 )
 from trueaxis.derivation.expressions import renamed
-from trueaxis.derivation.products import multiplied_out
+from trueaxis.derivation.products import NOTHING, ONE, Sum, multiplied_out, sum_of
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
 
 Columns = Mapping[str, Vector]
+Sums = tuple[Sum, Sum, Sum]
 
 
 @dataclass(frozen=True)
@@ -68,22 +69,23 @@ def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
     generic = symbols.point()
     if point != generic and all(coordinate.is_Symbol for coordinate in point):
         return _of_point(first_order(view, generic), dict(zip(generic, point, strict=True)))
-    at = point
-    columns: dict[str, Vector] = {}
+    at = _sums(point)
+    columns: dict[str, Sums] = {}
     for factor in view.walk:
         sign = -1 if factor.inverted else 1
         match factor.step:
             case Shift(by):
-                at = added(at, by, sign)
-            case Turn() as turn:
-                at = turned(turn, at, sign)
-                columns = {name: turned(turn, column, sign) for name, column in columns.items()}
+                at = added(at, _sums(by), sign)
+            case Turn(axis, cosine, sine):
+                cosine, sine, _ = _sums((cosine, sign * sine, sp.S.Zero))
+                at = turned(axis, cosine, sine, at)
+                columns = {name: turned(axis, cosine, sine, column) for name, column in columns.items()}
             case Error(_, _, names):
                 for name, effect in zip(names, _generators(at), strict=True):
                     if name is not None:
                         # A body below both ends is met twice: both effects add.
-                        columns[name] = added(columns.get(name, ZERO), effect, sign)
-    return FirstOrder(expanded(at), {name: expanded(column) for name, column in columns.items()})
+                        columns[name] = added(columns.get(name, _sums(ZERO)), effect, sign)
+    return FirstOrder(_told(at), {name: _told(column) for name, column in columns.items()})
 
 
 def _of_point(found: FirstOrder, names: Mapping[sp.Symbol, sp.Symbol]) -> FirstOrder:
@@ -94,10 +96,20 @@ def _of_point(found: FirstOrder, names: Mapping[sp.Symbol, sp.Symbol]) -> FirstO
     return FirstOrder(told(found.ideal), {name: told(column) for name, column in found.columns.items()})
 
 
-def _generators(at: Vector) -> tuple[Vector, ...]:
+def _sums(vector: Vector) -> Sums:
+    x, y, z = (found for found in map(sum_of, vector) if found is not None)  # all factors of a chain are polynomials
+    return x, y, z
+
+
+def _told(vector: Sums) -> Vector:
+    x, y, z = (value.expression() for value in vector)
+    return x, y, z
+
+
+def _generators(at: Sums) -> tuple[Sums, ...]:
     """What a unit of each of the six errors does to a point: displacements, then rotations about X, Y and Z."""
     x, y, z = at
-    one, zero = sp.S.One, sp.S.Zero
+    one, zero = ONE, NOTHING
     return (one, zero, zero), (zero, one, zero), (zero, zero, one), (zero, -z, y), (z, zero, -x), (-y, x, zero)
 
 

@@ -1,23 +1,77 @@
-"""Sums of products: polynomials multiplied out, as `sympy.expand` does it, at a small part of what it takes.
+"""Sums of products of symbols: polynomials, multiplied out at a small part of what `sympy.expand` takes."""
 
-A product is the tuple of its factors, sorted; a sum the numbers before its products.
-"""
-
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 
 import sympy as sp
 
 from trueaxis.derivation.expressions import put_together
 
-_Sum = dict[tuple[sp.Symbol, ...], sp.Number]
+Factors = tuple[sp.Symbol, ...]  # a to z
+
+
+class Sum:
+    """A polynomial as it is multiplied out: the number before each product of symbols, none of them 0."""
+
+    __slots__ = ("numbers",)
+
+    def __init__(self, numbers: Mapping[Factors, sp.Number]) -> None:
+        self.numbers = numbers
+
+    def __add__(self, other: "Sum") -> "Sum":
+        result = dict(self.numbers)
+        for factors, number in other.numbers.items():
+            total = result.pop(factors, sp.S.Zero) + number
+            if total:
+                result[factors] = total
+        return Sum(result)
+
+    def __neg__(self) -> "Sum":
+        return Sum({factors: -number for factors, number in self.numbers.items()})
+
+    def __sub__(self, other: "Sum") -> "Sum":
+        return self + -other
+
+    def __mul__(self, other: "Sum") -> "Sum":
+        result = NOTHING
+        for more, number in other.numbers.items():
+            times = {_sorted(own + more): one * number for own, one in self.numbers.items()}
+            result = result + Sum(times)
+        return result
+
+    def expression(self) -> sp.Expr:
+        """In SymPy."""
+        return put_together(sp.Add, [_product(*item) for item in self.numbers.items()])
+
+
+NOTHING = Sum({})
+ONE = Sum({(): sp.S.One})
+
+
+def sum_of(value: sp.Expr) -> Sum | None:
+    """A polynomial as a sum; None of what is none."""
+    if value.is_Symbol:
+        return Sum({(value,): sp.S.One})
+    if value.is_Number:
+        return Sum({(): value}) if value else NOTHING
+    power = value.is_Pow and value.exp.is_Integer and value.exp.is_positive
+    if not (value.is_Add or value.is_Mul or power):
+        return None
+    total = NOTHING if value.is_Add else ONE
+    for arg in [value.base] * int(value.exp) if power else value.args:
+        part = sum_of(arg)
+        if part is None:
+            return None
+        total = total + part if value.is_Add else total * part
+    return total
 
 
 def multiplied_out(value: sp.Expr) -> sp.Expr:
     """The same as a sum of products."""
     if all(factor.is_Atom for term in sp.Add.make_args(value) for factor in sp.Mul.make_args(term)):
         return value
-    total = _sum(value)
-    return sp.expand(value) if total is None else _expression(total)
+    total = sum_of(value)
+    return sp.expand(value) if total is None else total.expression()
 
 
 def linear_form(value: sp.Expr, names: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
@@ -30,45 +84,13 @@ def linear_form(value: sp.Expr, names: Iterable[sp.Symbol]) -> dict[sp.Symbol, s
     return {name: sp.Add(*terms) for name, terms in found.items() if terms}
 
 
-def _sum(value: sp.Expr) -> _Sum | None:
-    """None of what is no polynomial."""
-    if value.is_Symbol:
-        return {(value,): sp.S.One}
-    if value.is_Number:
-        return {(): value} if value else {}
-    power = value.is_Pow and value.exp.is_Integer and value.exp.is_positive
-    if not (value.is_Add or value.is_Mul or power):
-        return None
-    parts = [_sum(part) for part in ([value.base] * int(value.exp) if power else value.args)]
-    if value.is_Add:
-        return None if None in parts else _added(parts)
-    result: _Sum = {(): sp.S.One}
-    for part in parts:
-        if part is None:
-            return None
-        result = _added(
-            {tuple(sorted((*one, *other), key=_name)): a * b for one, a in result.items()} for other, b in part.items()
-        )
-    return result
+@cache
+def _sorted(factors: Factors) -> Factors:
+    return tuple(sorted(factors, key=lambda symbol: str(symbol.name)))
 
 
-def _added(parts: Iterable[_Sum]) -> _Sum:
-    result: _Sum = {}
-    for part in parts:
-        for factors, number in part.items():
-            result[factors] = result[factors] + number if factors in result else number
-    return {factors: number for factors, number in result.items() if number}
-
-
-def _name(symbol: sp.Symbol) -> str:
-    return symbol.name
-
-
-def _expression(total: _Sum) -> sp.Expr:
-    return put_together(sp.Add, [_product(factors, number) for factors, number in total.items()])
-
-
-def _product(factors: tuple[sp.Symbol, ...], number: sp.Number) -> sp.Expr:
+@cache
+def _product(factors: Factors, number: sp.Number) -> sp.Expr:
     if len(set(factors)) < len(factors):
         return sp.Mul(number, *factors)
-    return put_together(sp.Mul, list(factors) if number is sp.S.One else [number, *factors])
+    return put_together(sp.Mul, factors if number is sp.S.One else (number, *factors))

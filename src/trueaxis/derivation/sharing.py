@@ -10,13 +10,13 @@ from itertools import pairwise
 
 import sympy as sp
 
-from trueaxis.derivation.expressions import put_together, simpler_opposite
+from trueaxis.derivation.expressions import is_negative, put_together, simpler_opposite
 
 Assignment = tuple[sp.Symbol, sp.Expr]
 
 
 class _Part:
-    """A part of the expressions, the same object wherever it stands; value: None of one that is but a form of another."""
+    """A part of the expressions, the same object wherever it stands; value: None of what is but a form of another."""
 
     __slots__ = ("args", "func", "size", "value")
 
@@ -102,8 +102,8 @@ def _forms(roots: Iterable[_Part], part_of: Callable[[sp.Expr], _Part]) -> Forms
             products[part] = None
         elif part.func is sp.Add:
             sums[part] = None
-        elif part.func is sp.Pow and part.value.exp.could_extract_minus_sign():
-            forms[part] = _Part(sp.Pow, (part_of(1 / part.value), minus_one))
+        elif part.func is sp.Pow and is_negative(part.args[1].value):
+            forms[part] = _Part(sp.Pow, (part_of(sp.Pow(part.value, -1)), minus_one))
 
     for root in roots:
         look(root)
@@ -142,10 +142,10 @@ def _matched(func: type[sp.Expr], wholes: Iterable[_Part]) -> Forms:
             common = held[i] & held[j]
             if len(common) < 2:
                 continue  # in one already
-            own = common == held[i]
-            number = numbers.setdefault(whole if own else form(common), len(numbers))
+            all_of_it = common == held[i]
+            number = numbers.setdefault(whole if all_of_it else form(common), len(numbers))
             holders.setdefault(number, set())
-            if not own:
+            if not all_of_it:
                 replace(i, common, number)
             for k in candidates[place:]:
                 if common <= held[k]:

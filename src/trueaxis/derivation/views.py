@@ -94,8 +94,8 @@ def walk(
         match factor.step:
             case Shift(by) if not direction:
                 p = _bound(binder, added(p, by, sign))
-            case Turn() as turn:
-                p, d = _bound(binder, turned(turn, p, sign)), _bound(binder, turned(turn, d, sign))
+            case Turn(axis, cosine, sine):
+                p, d = (_bound(binder, turned(axis, cosine, sign * sine, one)) for one in (p, d))
             case Error(displacement, angles, names) if any(names):
                 shift = ZERO if direction else displacement
                 if not exact:
