@@ -6,6 +6,8 @@ from copy import copy
 
 import sympy as sp
 
+from trueaxis.derivation.expressions import is_negative as has_minus
+from trueaxis.derivation.expressions import opposite
 from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.symbols import describe
 from trueaxis.machine.machine import Machine
@@ -65,11 +67,22 @@ class Latex:
         if isinstance(value, sp.MatrixBase):
             rows = (" & ".join(joined(self.terms(cell)) for cell in value.row(k)) for k in range(value.rows))
             return r"\begin{bmatrix}" + r"\\".join(rows) + r"\end{bmatrix}"
+        if value.is_Symbol:
+            return self.symbol(value.name)
+        if value.is_Mul and all(factor.is_Symbol or factor.is_Integer for factor in value.args):
+            return self._product(value)
         ranked = {symbol: sp.Symbol(f"{self._rank(symbol.name)}{symbol.name}") for symbol in value.free_symbols}
         names = {ranked[symbol]: self.symbol(symbol.name) for symbol in ranked}
         # Fifteen digits are what a decimal number of the spec comes back as: 92.3, not 92.300000000000001.
         rounded = {number: sp.Float(number, 15) for number in value.atoms(sp.Float)}
         return str(sp.latex(value.xreplace(rounded | ranked), symbol_names=names))
+
+    def _product(self, value: sp.Mul) -> str:
+        """A product of symbols and a whole number, as SymPy prints it."""
+        number, rest = value.as_coeff_Mul()
+        names = sorted((factor.name for factor in sp.Mul.make_args(rest)), key=lambda name: f"{self._rank(name)}{name}")
+        size = [] if abs(number) == 1 else [str(abs(number))]
+        return ("- " if number < 0 else "") + " ".join([*size, *map(self.symbol, names)])
 
     def _rank(self, name: str) -> int:
         """Order of the factors of a product: cosines and sines, lengths, motion errors, location errors."""
@@ -93,7 +106,7 @@ class Latex:
             groups.setdefault(self._turned_by(term), []).append(term)
         for turn, terms in groups.items():
             if len(terms) == 1 or (turn == 1 and not (factors and len(groups) > 1)):
-                yield from ((is_negative(term), self(-term if is_negative(term) else term)) for term in terms)
+                yield from ((is_negative(term), self(opposite(term) if is_negative(term) else term)) for term in terms)
                 continue
             lengths = sp.Add(*(term / turn for term in terms))
             negative = is_negative(lengths)
@@ -111,7 +124,7 @@ class Latex:
         groups: dict[sp.Expr, list[tuple[str, str]]] = {}
         for name, coefficient in columns.items():
             if coefficient != 0:
-                sign, size = ("-", -coefficient) if is_negative(coefficient) else ("+", coefficient)
+                sign, size = ("-", opposite(coefficient)) if is_negative(coefficient) else ("+", coefficient)
                 groups.setdefault(size, []).append((sign, name))
         return [term for size, members in groups.items() for term in self._group(size, members)]
 
@@ -144,7 +157,7 @@ def is_negative(value: sp.Expr) -> bool:
     """Whether a coefficient is printed with a minus in front: all its terms have one."""
     if value.is_Add:
         return all(is_negative(term) for term in value.args)
-    return bool(value.could_extract_minus_sign())
+    return has_minus(value)
 
 
 def joined(terms: Iterable[str]) -> str:

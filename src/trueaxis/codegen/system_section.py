@@ -90,7 +90,7 @@ def system_text(
     return SystemText(
         title=f"{index + 1}. {', '.join(system.unknowns)} ({' and '.join(''.join(m) for m in system.moves)})",
         reference=dict(machine.references).get(system_name(index), ""),
-        kernel=system_name(index) if system.inverse is not None else "",
+        kernel=system_name(index) if system.adjugate is not None else "",
         readings=tuple(
             ReadingText(latex(reading), run, _sensed(runs[run]))
             for reading, run in zip(readings, system.runs, strict=True)
@@ -124,9 +124,9 @@ def _sensed(run: RunPattern) -> str:
 
 def _solution(system: IdentificationSystem, names: list[str], latex: Latex) -> Iterator[Row]:
     """Each unknown by Cramer's rule from the right-hand sides b_k."""
-    if system.inverse is None or system.determinant is None:
+    if system.adjugate is None or system.determinant is None:
         return
-    adjugate, determinant = system.matrix.adjugate(), multiplied_out(system.determinant)
+    adjugate, determinant = system.adjugate, multiplied_out(system.determinant)
     plain = determinant in (1, -1)
     if not plain:
         yield broken("D", latex.terms(determinant))

@@ -92,7 +92,7 @@ def _system_routines(machine: Machine, found: Identification) -> Iterator[Routin
 
 def _system_routine(machine: Machine, index: int, system: IdentificationSystem, inverse: sp.Matrix) -> Routine:
     readings = tuple(f"L{number + 1}" for number in range(len(system.runs)))
-    left = sp.Matrix([symbols.named(row) - known for row, known in zip(readings, system.known, strict=True)])
+    left = [symbols.named(row) - known for row, known in zip(readings, system.known, strict=True)]
     rows = tuple(f"identified_{name}" for name in system.unknowns)
     points = tuple(symbol.name for triple, _, _ in system.points for symbol in triple)
     what = ", ".join(f"xyz of {on} point {number + 1}" for number, (_, on, _) in enumerate(system.points))
@@ -125,5 +125,8 @@ def _system_routine(machine: Machine, index: int, system: IdentificationSystem, 
                 description=", ".join(system.unknowns),
             ),
         ),
-        dict(zip(rows, inverse * left, strict=True)),
+        {
+            row: sp.Add(*(entry * value for entry, value in zip(entries, left, strict=True) if entry))
+            for row, entries in zip(rows, inverse.tolist(), strict=True)
+        },
     )

@@ -7,6 +7,7 @@ Location errors are taken as known here, as in Sects. 3.3-3.5 of the paper; `und
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -40,9 +41,9 @@ class RunPattern:
 
 @dataclass(frozen=True, kw_only=True)
 class IdentificationSystem:
-    """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known).
+    """matrix * unknowns = reading - known, solved: unknowns = adjugate * (reading - known) / determinant.
 
-    inverse, determinant: None if the matrix is not square or has more than four rows; numbers are no harder to solve
+    adjugate, determinant: None if the matrix is not square or has more than four rows; numbers are no harder to solve
     then, formulas are. points: for each point symbol triple the body and the coordinates that the runs give it. rank:
     of the matrix at those points, exact; less than the number of unknowns where the points leave the system singular.
     """
@@ -52,10 +53,17 @@ class IdentificationSystem:
     unknowns: tuple[str, ...]
     matrix: sp.Matrix
     known: tuple[sp.Expr, ...]
-    inverse: sp.Matrix | None
+    adjugate: sp.Matrix | None
     determinant: sp.Expr | None
     points: tuple[tuple[Vector, Carrier, Point], ...]
     rank: int
+
+    @cached_property
+    def inverse(self) -> sp.Matrix | None:
+        """Adjugate / determinant."""
+        return (
+            None if self.adjugate is None else self.adjugate.applyfunc(lambda entry: entry and entry / self.determinant)
+        )
 
 
 @dataclass(frozen=True)
@@ -116,7 +124,7 @@ def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str
             labels, points = _labels([run])
             reading = _reading(machine, run, labels)
             values = point_values(points) | pose
-            entries = {name: value.subs(values) * scale.get(name, 1) for name, value in reading.items()}
+            entries = {name: value.xreplace(values) * scale.get(name, 1) for name, value in reading.items()}
             row = [sp.S.Zero] * (len(moved) * len(poses))
             row[index * len(moved) : (index + 1) * len(moved)] = [entries.get(name, sp.S.Zero) for name in moved]
             rows.append(row + [entries.get(name, sp.S.Zero) for name in location])
@@ -173,7 +181,7 @@ def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[Carrier, Poin
     direction = [sp.Rational(repr(part)) for part in run.direction]
     columns = run_motion(machine, run, labels).motion.columns
     reading = {
-        name: multiplied_out(sum(d * c for d, c in zip(direction, column, strict=True)))
+        name: multiplied_out(sp.Add(*(d * c for d, c in zip(direction, column, strict=True) if d and c)))
         for name, column in columns.items()
     }
     return {name: value for name, value in reading.items() if value != 0}
@@ -189,20 +197,20 @@ def _system(
         sp.Add(*(value * symbols.named(name) for name, value in reading.items() if name not in unknowns))
         for reading in readings
     )
-    inverse = determinant = None
+    adjugate = determinant = None
     if matrix.rows == matrix.cols <= _LARGEST_CLOSED_FORM:
         determinant = sp.factor(matrix.det(method="berkowitz"))
         if determinant != 0:
-            inverse = matrix.adjugate() / determinant
+            adjugate = matrix.adjugate()
     moves = tuple(dict.fromkeys(run.moves for run in runs))
-    at_points = matrix.subs(point_values(points) | {symbols.named(name): sp.S.Zero for name in machine.dimensions})
+    at_points = matrix.xreplace(point_values(points) | {symbols.named(name): sp.S.Zero for name in machine.dimensions})
     return IdentificationSystem(
         runs=tuple(run.name for run in runs),
         moves=moves,
         unknowns=tuple(unknowns),
         matrix=matrix,
         known=known,
-        inverse=inverse,
+        adjugate=adjugate,
         determinant=determinant,
         points=points,
         rank=int(at_points.rank()),
