@@ -8,14 +8,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import sympy as sp
-
 from trueaxis.c_prefix import c_prefix
 from trueaxis.codegen.meta import ABI, spec_name
 from trueaxis.codegen.paper_layout import TITLE
 from trueaxis.codegen.printers import CPrinter, rows_text, variable_names
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.effect_terms import Sign, Step
+from trueaxis.derivation.expressions import called
 from trueaxis.derivation.routine import Argument, Routine
 from trueaxis.derivation.sharing import Assignment
 from trueaxis.derivation.symbols import describe
@@ -107,8 +106,8 @@ def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str = 
 
 def helpers(routines: Iterable[Routine]) -> list[str]:
     """The functions of C that the routines call and C has not."""
-    values = [value for routine in routines for _, value in routine.batch + routine.body]
-    return [name for name, function in _HELPERS.items() if any(value.has(function) for value in values)]
+    used = {function for routine in routines for _, value in routine.batch + routine.body for function in called(value)}
+    return [name for name, function in _HELPERS.items() if function in used]
 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
@@ -180,7 +179,7 @@ def function_text(prefix: str, routine: Routine, layout: Layout = OF_POINTS) -> 
             TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
             for target, value in routine.preparation
         ),
-        calls=any(value.has(sp.Function) for _, value in routine.body),
+        calls=any(called(value) for _, value in routine.body),
         rows=tuple(_loads(varying, body, names, layout)),
         body=tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
         stores=tuple(
@@ -215,6 +214,8 @@ def _assigned(assignment: Assignment, printer: CPrinter) -> str:
 
 def _wrapped(line: str) -> str:
     """Broken where it is too long; the template indents what follows a line's end."""
+    if len(line) <= _WIDTH - 8:
+        return line
     return "\n".join(
         textwrap.wrap(line, _WIDTH - 8, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
     )

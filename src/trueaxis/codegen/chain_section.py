@@ -17,7 +17,7 @@ import sympy as sp
 from trueaxis.codegen.latex import WIDEST, Latex, block_width, broken
 from trueaxis.codegen.numpy_source import module_source
 from trueaxis.derivation import symbols
-from trueaxis.derivation.chain import Joint, Vector, chains, matrix
+from trueaxis.derivation.chain import Joint, Vector, chains, matrix, times
 from trueaxis.derivation.first_order import BranchStep, Columns, FirstOrder, branch_steps, first_order
 from trueaxis.derivation.products import multiplied_out
 from trueaxis.derivation.routine import Routine
@@ -147,7 +147,7 @@ def _joint(part: Joint, latex: Latex) -> JointText:
     kept = [(each, value) for each, value in values if value != sp.eye(4)]
     product = sp.eye(4)
     for _, value in kept:
-        product = (product * value).applyfunc(multiplied_out)
+        product = times(product, value)
     rows = tuple(matrix_rows(name, product, latex, name + "_{{{}}}")) if len(kept) > 1 else ()
     title = f"Body {part.body.number}, {part.body.name}, on body {part.body.lower}"
     return JointText(title, tuple((each, latex(value)) for each, value in kept), rows)

@@ -108,7 +108,7 @@ class Latex:
             if len(terms) == 1 or (turn == 1 and not (factors and len(groups) > 1)):
                 yield from ((is_negative(term), self(opposite(term) if is_negative(term) else term)) for term in terms)
                 continue
-            lengths = sp.Add(*(term / turn for term in terms))
+            lengths = sp.Add(*terms) if turn == 1 else sp.Add(*(term / turn for term in terms))
             negative = is_negative(lengths)
             inner = rf"\left({joined(self.terms(-lengths if negative else lengths))}\right)"
             yield negative, inner if turn == 1 else f"{self(turn)} {inner}"

@@ -121,6 +121,8 @@ class CPrinter(_Printer):
 
     def _product(self, value: sp.Expr) -> str:
         constants = [factor for factor in value.args if factor.is_number]
+        if not constants or constants == [sp.S.NegativeOne]:
+            return super()._product(value)
         number = sp.Mul(*constants)
         if number in (1, -1) or len(constants) == len(value.args):
             return super()._product(value)

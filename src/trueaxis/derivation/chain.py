@@ -99,6 +99,20 @@ def matrix(step: Step) -> sp.Matrix:
     return result
 
 
+def times(left: sp.Matrix, right: sp.Matrix) -> sp.Matrix:
+    """The product of two matrices, mostly of zeros, its elements multiplied out."""
+    columns = right.T.tolist()
+    return sp.Matrix(
+        [
+            [
+                multiplied_out(sp.Add(*(a * b for a, b in zip(row, column, strict=True) if a and b)))
+                for column in columns
+            ]
+            for row in left.tolist()
+        ]
+    )
+
+
 def product(joints: tuple[Joint, ...]) -> sp.Matrix:
     """[SB.]: the exact product along a branch (Eqs. 2, 3), multiplied but never expanded."""
     result = sp.eye(4)

@@ -113,6 +113,13 @@ def ordered_factors(product: sp.Expr) -> tuple[sp.Expr, ...]:
     return (*numbers, *others)
 
 
+@lru_cache(maxsize=1 << 14)
+def called(value: sp.Expr) -> frozenset[type[sp.Expr]]:
+    """The functions that an expression calls."""
+    own = [value.func] if isinstance(value, sp.Function) else []
+    return frozenset(own).union(*(called(arg) for arg in value.args if arg.args))
+
+
 def operations(value: sp.Expr) -> int:
     """Arithmetic operations and calls of functions, as `sympy.count_ops` counts them."""
     if not value.args:

@@ -36,10 +36,11 @@ from trueaxis.derivation.chain import (
     joint,
     matrix,
     rotation,
+    times,
     turned,
 )
 from trueaxis.derivation.expressions import renamed
-from trueaxis.derivation.products import NOTHING, ONE, Sum, multiplied_out, sum_of
+from trueaxis.derivation.products import NOTHING, ONE, Sum, sum_of
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
@@ -177,7 +178,7 @@ def branch_steps(joints: tuple[Joint, ...]) -> tuple[BranchStep, ...]:
         displacements: dict[str, Vector] = {}
         for factor in part.steps:
             if not isinstance(factor, Error):
-                at = (at * matrix(factor)).applyfunc(multiplied_out)
+                at = times(at, matrix(factor))
                 continue
             for index, name in enumerate(factor.names):
                 if name is None:
