@@ -13,6 +13,7 @@ import sympy as sp
 from trueaxis.derivation import symbols
 from trueaxis.derivation.chain import Vector
 from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.products import Factors, Sum, polynomial
 from trueaxis.derivation.routine import (
     Argument,
     Binder,
@@ -129,13 +130,13 @@ def _folds(machine: Machine, entry: Mapping[str, sp.Expr]) -> Folds:
     axis_of: dict[str, str] = {component: component.axis for component in machine.components}
     folds: Folds = {}
     for name, value in entry.items():
-        constants: dict[Monomial, list[sp.Expr]] = {}
-        for term in sp.Add.make_args(value):  # columns are sums of products
-            powers = term.as_powers_dict()
-            monomial = tuple(int(powers.pop(generator, 0)) for generator in generators)
-            constants.setdefault(monomial, []).append(sp.Mul(*(base**power for base, power in powers.items())))
+        constants: dict[Monomial, dict[Factors, sp.Number]] = {}
+        for factors, number in polynomial(value).numbers.items():
+            rest = tuple(factor for factor in factors if factor not in generators)
+            constants.setdefault(tuple(map(factors.count, generators)), {})[rest] = number
         for monomial, terms in constants.items():
-            folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, sp.Add(*terms)))
+            constant = Sum(terms).expression()
+            folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, constant))
     return folds
 
 

@@ -128,7 +128,7 @@ def squarenesses(machine: Machine) -> tuple[Squareness, ...]:
     linear = [axis for axis in machine.axes if axis in LINEAR]
     directions = {axis: _direction(machine, axis) for axis in linear}
     return tuple(
-        Squareness((a, b), _linear(machine, (directions[a].T * directions[b])[0]))
+        Squareness((a, b), _linear((directions[a].T * directions[b])[0]))
         for index, a in enumerate(linear)
         for b in linear[index + 1 :]
     )
@@ -149,10 +149,10 @@ def _direction(machine: Machine, axis: str) -> sp.Matrix:
     return frame * way
 
 
-def _linear(machine: Machine, value: sp.Expr) -> sp.Expr:
-    names = [symbols.named(name) for name in machine.location_errors]
-    zero = dict.fromkeys(names, sp.S.Zero)
-    return sp.Add(*(sp.diff(value, name).subs(zero) * name for name in names))
+def _linear(value: sp.Expr) -> sp.Expr:
+    """The terms of first order of a polynomial in the location errors."""
+    found = sum_of(value) or NOTHING
+    return Sum({factors: number for factors, number in found.numbers.items() if len(factors) == 1}).expression()
 
 
 @dataclass(frozen=True)

@@ -66,6 +66,14 @@ def sum_of(value: sp.Expr) -> Sum | None:
     return total
 
 
+def polynomial(value: sp.Expr) -> Sum:
+    """A polynomial as a sum. Raises ValueError for what is none."""
+    found = sum_of(value)
+    if found is None:
+        raise ValueError(f"{value} is no polynomial")
+    return found
+
+
 def multiplied_out(value: sp.Expr) -> sp.Expr:
     """The same as a sum of products."""
     if all(factor.is_Atom for term in sp.Add.make_args(value) for factor in sp.Mul.make_args(term)):
