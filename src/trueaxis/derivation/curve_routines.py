@@ -6,6 +6,7 @@ monomial and axis are one polynomial, whose coefficients are folded once per cal
 there are component errors.
 """
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
@@ -126,14 +127,15 @@ def _rows(columns: Mapping[str, Vector]) -> list[dict[str, sp.Expr]]:
 
 def _folds(machine: Machine, entry: Mapping[str, sp.Expr]) -> Folds:
     """The terms of an entry of the deviation, sorted by what they can be folded by."""
-    generators = _generators(machine)
+    places = {generator: place for place, generator in enumerate(_generators(machine))}
     axis_of: dict[str, str] = {component: component.axis for component in machine.components}
     folds: Folds = {}
     for name, value in entry.items():
         constants: dict[Monomial, dict[Factors, sp.Number]] = {}
         for factors, number in polynomial(value).numbers.items():
-            rest = tuple(factor for factor in factors if factor not in generators)
-            constants.setdefault(tuple(map(factors.count, generators)), {})[rest] = number
+            rest = tuple(factor for factor in factors if factor not in places)
+            powers = Counter(places[factor] for factor in factors if factor in places)
+            constants.setdefault(tuple(powers[place] for place in places.values()), {})[rest] = number
         for monomial, terms in constants.items():
             constant = Sum(terms).expression()
             folds.setdefault(monomial, {}).setdefault(axis_of.get(name, ""), []).append((name, constant))

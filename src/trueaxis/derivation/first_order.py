@@ -40,7 +40,7 @@ from trueaxis.derivation.chain import (
     turned,
 )
 from trueaxis.derivation.expressions import renamed
-from trueaxis.derivation.products import NOTHING, ONE, Sum, sum_of
+from trueaxis.derivation.products import NOTHING, ONE, Sum, polynomial
 from trueaxis.derivation.views import ViewWalk
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.machine.topology import branch
@@ -98,7 +98,7 @@ def _of_point(found: FirstOrder, names: Mapping[sp.Symbol, sp.Symbol]) -> FirstO
 
 
 def _sums(vector: Vector) -> Sums:
-    x, y, z = (found for found in map(sum_of, vector) if found is not None)  # all factors of a chain are polynomials
+    x, y, z = map(polynomial, vector)
     return x, y, z
 
 
@@ -151,8 +151,8 @@ def _direction(machine: Machine, axis: str) -> sp.Matrix:
 
 def _linear(value: sp.Expr) -> sp.Expr:
     """The terms of first order of a polynomial in the location errors."""
-    found = sum_of(value) or NOTHING
-    return Sum({factors: number for factors, number in found.numbers.items() if len(factors) == 1}).expression()
+    numbers = polynomial(value).numbers
+    return Sum({factors: number for factors, number in numbers.items() if len(factors) == 1}).expression()
 
 
 @dataclass(frozen=True)

@@ -54,6 +54,10 @@ def sum_of(value: sp.Expr) -> Sum | None:
         return Sum({(value,): sp.S.One})
     if value.is_Number:
         return Sum({(): value}) if value else NOTHING
+    if value.is_Mul and all(factor.is_Symbol for factor in value.args[1:]):
+        number, rest = value.as_coeff_Mul()
+        if all(factor.is_Symbol for factor in sp.Mul.make_args(rest)):
+            return Sum({_sorted(sp.Mul.make_args(rest)): number})
     power = value.is_Pow and value.exp.is_Integer and value.exp.is_positive
     if not (value.is_Add or value.is_Mul or power):
         return None
