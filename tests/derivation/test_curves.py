@@ -7,7 +7,7 @@ import pytest
 
 from tests.derivation.topologies import OTHERS
 from tests.exact_chain import DIGITS, ExactChain
-from tests.kernels import call, kernels_of
+from tests.kernels import call, kernels_of, model_of
 
 LABELS = ("dmu60p", "five_axis", "shared", "table B, head A")
 COUNT, DEGREE = 50, 7
@@ -95,3 +95,23 @@ def test_an_axis_that_moves_the_other_way_has_its_errors_at_the_commanded_positi
     np.testing.assert_allclose(found[:, 0], [0, 0, -9e-3], atol=1e-17)
     direct = call(module, "tool_in_workpiece_deviation", {"C": 90.0}, {"EZC": 9e-3}, np.zeros((3, 1)))
     np.testing.assert_allclose(found, direct, atol=1e-17)
+
+
+def test_a_decimal_position_costs_what_a_whole_one_costs() -> None:
+    spec = """schema = 1
+name = "mill"
+title = "Mill"
+structure = "[w Y' b X Z t]"
+[axis.X]
+travel = [0.0, 500.0]
+position = [POSITION]
+[axis.Y]
+travel = [0.0, 500.0]
+[axis.Z]
+travel = [0.0, 500.0]
+"""
+    whole, decimal = (
+        {routine.name: routine.operations for routine in model_of(spec.replace("POSITION", position)).routines}
+        for position in ("332.0, 212.0, -274.0", "332.22, 212.95, -274.61")
+    )
+    assert decimal == whole
