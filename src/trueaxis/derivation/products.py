@@ -1,7 +1,7 @@
 """Sums of products of symbols: polynomials, multiplied out at a small part of what `sympy.expand` takes."""
 
 from collections.abc import Iterable, Mapping
-from functools import cache
+from functools import lru_cache
 
 import sympy as sp
 
@@ -96,12 +96,12 @@ def linear_form(value: sp.Expr, names: Iterable[sp.Symbol]) -> dict[sp.Symbol, s
     return {name: sp.Add(*terms) for name, terms in found.items() if terms}
 
 
-@cache
+@lru_cache(maxsize=1 << 14)
 def _sorted(factors: Factors) -> Factors:
     return tuple(sorted(factors, key=lambda symbol: str(symbol.name)))
 
 
-@cache
+@lru_cache(maxsize=1 << 14)
 def _product(factors: Factors, number: sp.Number) -> sp.Expr:
     if len(set(factors)) < len(factors):
         return sp.Mul(number, *factors)
