@@ -87,7 +87,8 @@ def test_a_peck_of_the_whole_hole_and_the_exact_path_of_linuxcnc_are_noted(bench
     for peck, dialect, noted in (("5.", "linuxcnc", (0, 1)), ("5000", "linuxcnc", (1, 1)), ("5.", None, (0, 0))):
         kind: Any = dialect
         bench.run(program.format(peck), XyzMachine(), dialect=kind)
-        notes = [note for note in bench.report.notes if note.startswith("line 3")]
+        report = bench.report
+        notes = [note for note in (*report.warnings, *report.notes) if note.startswith("line 3")]
         assert tuple(sum(said in note for note in notes) for said in ("in one peck", "exact path mode")) == noted
 
 

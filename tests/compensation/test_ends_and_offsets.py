@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
 from tests.compensation.test_uncommanded import bent
 from trueaxis.compensation.offsets import Offsets
@@ -9,11 +10,11 @@ from trueaxis.io.faults import InputError
 
 NC = "G21 G90\n{}G0 X10. Y10. Z30.\nG1 X20. F500\n{}"
 KLARTEXT = "BEGIN PGM T MM\nL X+10 Y+10 Z+30 R0 FMAX M3\nL X+20 F500\n{}"
-NO_OFFSET, CUT_OFF = "positions count as machine coordinates", "is it whole?"
+CUT_OFF = "is it whole?"
 
 
 def noted(bench: Bench, text: str) -> bool:
-    return any(text in note for note in bench.report.notes)
+    return any(text in note for note in bench.report.warnings)
 
 
 @pytest.mark.parametrize(("selected", "wanted"), [("", True), ("G54\n", False), ("G53 G0 Z30.\nG54\n", False)])
@@ -23,7 +24,22 @@ def test_a_program_without_any_work_offset_is_told(
 ) -> None:
     known = Offsets({"G54": dict.fromkeys("XYZ", (20.0, 20.0))}) if selected else Offsets()
     bench.run(NC.format(selected, "M30\n"), bent(), dialect=dialect, offsets=known)
-    assert noted(bench, NO_OFFSET) is wanted
+    assert (bench.report.unplaced is not None) is wanted
+    first = bench.told.splitlines()[1]
+    assert (first.startswith("WARNING: no work offset is given or selected")) is wanted
+
+
+def test_what_it_may_cost_is_the_change_with_the_zero_anywhere_in_the_travel(bench: Bench) -> None:
+    """EXX grows by 1e-5 per mm: the program fills 10 mm of X, and begins at an end of it."""
+    machine = XyzMachine({"EXX": lambda x: 1e-5 * x})
+    low, high = machine.travel["X"]
+    bench.run(f"G21 G90\nG0 X{low:.1f} Y0. Z0.\nG1 X{low + 10:.1f} F500\nM30\n", machine)
+    assert bench.report.unplaced == pytest.approx(1e-5 * (high - low - 10.0), rel=1e-3)
+    assert f"up to {bench.report.unplaced:.4f} mm" in bench.told
+    given = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))})
+    bench.run("G21 G90\nG0 X0. Y0. Z0.\nG1 X10. F500\nM30\n", machine, offsets=given)
+    assert bench.report.unplaced is None
+    assert "WARNING" not in bench.told
 
 
 @pytest.mark.parametrize(

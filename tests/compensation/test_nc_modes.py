@@ -82,7 +82,7 @@ def test_a_block_in_machine_coordinates(bench: Bench) -> None:
     # a cut block stays one in machine coordinates
     assert len(text) > 8
     assert all(line.startswith(b"G53 ") for line in text[5:])
-    assert any("no offset may be active" in note for note in bench.report.notes)
+    assert any("no offset may be active" in note for note in bench.report.warnings)
     assert any("at rapid even under G1" in note for note in bench.report.notes)
 
 
@@ -92,7 +92,7 @@ def test_a_block_in_machine_coordinates(bench: Bench) -> None:
 )
 def test_modes_that_are_not_stated_are_noted(bench: Bench, said: str, missing: list[str]) -> None:
     bench.run(f"{said}G0 X1. Y1. Z1.\nX2.\n")
-    found = [note for note in bench.report.notes if "before this motion" in note]
+    found = [note for note in bench.report.warnings if "before this motion" in note]
     assert len(found) == len(missing)
     assert all(note.startswith(f"line 1: no {mode}") for note, mode in zip(found, missing, strict=True))
 

@@ -85,9 +85,9 @@ def test_a_word_of_linuxcnc_is_one_fault(bench: Bench) -> None:
 def test_a_peck_without_a_decimal_point_is_noted(bench: Bench, peck: str, noted: bool) -> None:
     program = f"G21 G90\nG0 X0 Y0 Z9\nG83 X1 Y1 Z-6 R2 {peck} F100\nX2\nX3\n"
     bench.run(program, integers="mm")
-    assert any("Q without a decimal point is read as mm" in note for note in bench.report.notes) == noted
+    assert any("Q without a decimal point is read as mm" in note for note in bench.report.warnings) == noted
     bench.run(program, dialect="linuxcnc")
-    assert not any("Q without" in note for note in bench.report.notes)
+    assert not any("Q without" in note for note in bench.report.warnings)
     with pytest.raises(InputError, match="Q30 is deeper than the hole"):
         bench.run(program.replace("Q3", "Q30").replace("Q30.", "Q30"), integers="mm")
 

@@ -110,7 +110,7 @@ def test_what_follows_the_end_is_copied(bench: Bench) -> None:
     tail = "M30\n(rest)\nG1 X5. Y7. @#!\nO5\nG54\n%\n"
     text = bench.run(f"G21 G90\nG0 X1. Y1. Z1.\n{tail}", machine).decode()
     assert text == f"G21 G90\nG0 X0.980 Y1.000 Z1.000\n{tail}"
-    (note,) = (note for note in bench.report.notes if "end of the program" in note)
+    (note,) = (note for note in bench.report.warnings if "end of the program" in note)
     assert note.startswith("line 5: ")
     assert not any("end of the program" in note for note in _notes(bench, "G0 X1. Y1. Z1.\nM30\n(X5.)\n%\n"))
     with pytest.raises(InputError, match="depends on a switch"):

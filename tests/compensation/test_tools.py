@@ -179,7 +179,7 @@ def test_the_length_follows_a_tool_number_that_is_said(bench: Bench) -> None:
     bench.run(program, paper_sized(), **ON_LINUXCNC)
     assert [use.number for use in bench.report.tools] == [1, 2]
     assert any(
-        "line 5: tool 2" in note and "the length of tool 1 stays in force" in note for note in bench.report.notes
+        "line 5: tool 2" in note and "the length of tool 1 stays in force" in note for note in bench.report.warnings
     )
 
 
@@ -210,9 +210,9 @@ def test_a_tool_that_is_missing_is_told_once(bench: Bench) -> None:
 
 def test_the_length_of_another_tool_is_said(bench: Bench) -> None:
     bench.run("G21 G90\nT1\nM6\nG43 H2 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
-    assert any("the length of tool 2 is put in force while tool 1" in note for note in bench.report.notes)
+    assert any("the length of tool 2 is put in force while tool 1" in note for note in bench.report.warnings)
     bench.run("G21 G90\nT1\nM6\nG43 H1 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
-    assert not any("is put in force while" in note for note in bench.report.notes)
+    assert not any("is put in force while" in note for note in bench.report.warnings)
 
 
 def test_a_table_of_linuxcnc_adds_x_and_y(bench: Bench) -> None:
@@ -353,4 +353,4 @@ def test_a_motion_with_the_length_of_the_tool_before_is_noted(bench: Bench, feed
     head = "G21 G90 G94\nT1 M6\nG43 H1 G0 X0. Y0. Z50.\nG1 X5. F100\nT2 M6\n"
     after = "\n".join(feed.format(k + 1) for k in range(blocks))
     bench.run(f"{head}{after}\nG43 H2 Z9.\nM30\n", XyzMachine(), tools=TABLE, pass_m=(6,), offsets=NONE)
-    assert [note for note in bench.report.notes if "line 6" in note and "tool 2" in note]
+    assert [note for note in bench.report.warnings if "line 6" in note and "tool 2" in note]

@@ -41,7 +41,10 @@ def test_the_start_is_no_command(bench: Bench) -> None:
     assert report.uncommanded_left.largest == pytest.approx(0.012, abs=1e-4)
     assert report.after is not None
     assert report.after.largest < 0.001
-    assert "axes not commanded yet get no words: 2 points, lines 2, 3; largest error left 0.0120 mm" in bench.told
+    assert (
+        "axes not commanded yet in the frame in force get no words: 2 points, lines 2, 3; largest error left 0.0120 mm"
+        in bench.told
+    )
     assert any("Z gets no word here" in note for note in report.notes)
 
 

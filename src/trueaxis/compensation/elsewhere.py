@@ -14,7 +14,7 @@ from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing, of_points
 from trueaxis.compensation.datum import Datum, Zero
 from trueaxis.compensation.logs import Running, Summary
-from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.path import Held, Path, Places, alike
 from trueaxis.compensation.settings import Settings
 
@@ -222,6 +222,30 @@ def offset_use(
         leaves_travel=leaves,
         zero=datum.zero(model, value),
     )
+
+
+_ZEROS = 5  # places of an unknown zero along each linear axis: with three axes all combinations are 125
+_POSITIONS = 200  # of the program, at each of them
+
+
+def unplaced_change(model: ErrorModel, places: Sequence[tuple[FloatArray, FloatArray]]) -> float:
+    """Largest change of the corrections, mm, if the zero of a program lies anywhere that keeps it within the travel.
+
+    places: positions (n_axes, n), mm and deg, as they are taken to be, with the tool point (3, 1) of each.
+    """
+    rows = list(linear_rows(model.axes))
+    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
+    lowest = np.min([positions.min(axis=1) for positions, _ in places], axis=0)
+    highest = np.max([positions.max(axis=1) for positions, _ in places], axis=0)
+    change = 0.0
+    for shares in product(np.linspace(0.0, 1.0, _ZEROS), repeat=len(rows)):
+        zero = np.zeros((low.size, 1))
+        zero[rows, 0] = (low - lowest)[rows] + np.array(shares) * ((high - low) - (highest - lowest))[rows]
+        for positions, tool_point in places:
+            few = positions[:, :: -(-positions.shape[1] // _POSITIONS)]
+            nowhere = np.zeros((len(LINEAR), 1))
+            change = max(change, float(_apart(model, few + zero, few, tool_point, nowhere).max(initial=0.0)))
+    return change
 
 
 def _within(spread: FloatArray) -> Iterator[FloatArray]:

@@ -33,6 +33,7 @@ WHOLE_PECK = (
 )
 PECKS = "pecks go back by {:g} mm; on LinuxCNC it is 0.254 mm, elsewhere a parameter, which --peck-return takes"
 
+OF_PECKS = frozenset({ONE_PECK, WHOLE_PECK})  # a drill may break
 
 UNKNOWN_START = "a feed motion from an unknown position: only its end is compensated"
 
@@ -61,7 +62,7 @@ def note_turns(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], notes
     way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
     alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
     for line in moves.lines[alone & (moves.motion == Kind.LINE)].tolist():
-        notes.add(line, TURNS_ALONE)
+        notes.warn(line, TURNS_ALONE)
 
 
 def notes_of_cycle(cycle: Cycle, settings: Settings) -> Iterator[str]:

@@ -169,16 +169,19 @@ AFTER_END = "what follows the end of the program is copied as it is: its motions
 STOP = "the operator may move axes at M0 and M1: each gets words again only once the program has commanded it"
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class Notes:
-    """Remarks on a program that are no faults: text, how often, and the first line. passed: lines of each M code that
-    the user vouches for. kept: motions that stay as they are.
+    """Remarks on a program that are no faults: text, how often, and the first line. grave: those that may cost a crash
+    or a wrong part. passed: lines of each M code that the user vouches for. kept: motions that stay as they are.
+    unplaced: whether the program moves without any work offset that is known.
     """
 
     counts: Counter[str] = field(default_factory=Counter)
     first: dict[str, int] = field(default_factory=dict)
     passed: dict[int, LineLog] = field(default_factory=dict)
     kept: int = 0
+    grave: set[str] = field(default_factory=set)
+    unplaced: bool = False
 
     def pass_code(self, line: int, code: int) -> None:
         """Note an M code that the user vouches for."""
@@ -189,11 +192,19 @@ class Notes:
         self.counts[text] += times
         self.first.setdefault(text, line)
 
-    def texts(self) -> tuple[str, ...]:
-        """`line 12 (and 3 more): remark`, in the order of first appearance; line 0 is the program as a whole."""
+    def warn(self, line: int, text: str, times: int = 1) -> None:
+        """Note a remark on what may cost a crash or a wrong part: it is read first."""
+        self.grave.add(text)
+        self.add(line, text, times)
+
+    def texts(self, grave: bool = False) -> tuple[str, ...]:
+        """`line 12 (and 3 more): remark`, in the order of first appearance, of those that are grave or of the others;
+        line 0 is the program as a whole.
+        """
         return tuple(
             text
             if line == 0
             else f"line {line}{f' (and {self.counts[text] - 1} more)' if self.counts[text] > 1 else ''}: {text}"
             for text, line in self.first.items()
+            if (text in self.grave) == grave
         )

@@ -94,6 +94,8 @@ class CompensationReport:
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
+    unplaced: where no work offset is known, by how much words may change with its zero anywhere in the travel, mm.
+    warnings: what may cost a crash or a wrong part; notes: all else that is to be known.
     reliance: how far the program relies on what was measured; None where nobody asked.
     ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
     axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
@@ -136,6 +138,8 @@ class CompensationReport:
     senses: Senses
     sign_check: SignCheck | None
     passed: tuple[PassedCode, ...]
+    unplaced: float | None
+    warnings: tuple[str, ...]
     notes: tuple[str, ...]
     reliance: Reliance | None = None
 

@@ -22,7 +22,7 @@ from trueaxis.compensation.sign_check import SignChecker, senses_of
 from trueaxis.compensation.solve import Solved, ToolAxis
 from trueaxis.compensation.tool_errors import NOTHING_KNOWN, Known, ToolErrors, tool_errors
 from trueaxis.compensation.tracker import EffectNote
-from trueaxis.compensation.used import datum_of, offsets_used, tools_used
+from trueaxis.compensation.used import datum_of, offsets_used, tools_used, unplaced
 from trueaxis.compensation.word_choice import bar_error, length
 
 STAGES = ("before", "solved", "after", "along")
@@ -275,6 +275,8 @@ class Tally:
             senses=self._senses,
             sign_check=self._sign.found,
             passed=tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
+            unplaced=unplaced(self._model, self.visited) if notes.unplaced else None,
+            warnings=notes.texts(grave=True),
             notes=notes.texts(),
         )
 

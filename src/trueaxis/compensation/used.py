@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from trueaxis.compensation.datum import Datum
-from trueaxis.compensation.elsewhere import OffsetUse, offset_use
+from trueaxis.compensation.elsewhere import OffsetUse, offset_use, unplaced_change
 from trueaxis.compensation.machine import ErrorModel, FloatArray, Place
 from trueaxis.compensation.moves import Setup
 from trueaxis.compensation.reliance import Visited
@@ -46,6 +46,16 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
         )
         for setup, places in used.items()
     )
+
+
+def unplaced(model: ErrorModel, visited: Mapping[Setup, Visited]) -> float | None:
+    """By how much words may change with the zero of a program of which no work offset is known, mm; None: it moves
+    nowhere.
+    """
+    places = [
+        (one.positions, one.tool_point) for setup, one in visited.items() if not setup.system and one.positions.size
+    ]
+    return unplaced_change(model, places) if places else None
 
 
 def datum_of(setup: Setup, axes: tuple[str, ...], settings: Settings) -> Place | None:

@@ -1,5 +1,5 @@
-"""What a compensation did, in sentences: first what is not as it should be, then what the operator has to know, last
-how it was computed.
+"""What a compensation did, in sentences: first what is not as it should be or may cost a part, then what the operator
+has to know, last how it was computed.
 """
 
 import math
@@ -39,6 +39,7 @@ def compensation_text(report: CompensationReport) -> str:
         + (f", {report.short_blocks} passed in short blocks" if report.short_blocks else "")
         + (f", {report.take_ups} blocks that take up reversals" if report.take_ups else ""),
         *([f"not good, exit code 1: {failure_text(report)}"] if report.failures and not report.refused else []),
+        *(f"WARNING: {warning}" for warning in (*_unplaced(report), *report.warnings)),
         *_errors(report),
         *_troubles(report),
         *_places(report),
@@ -60,6 +61,18 @@ def compensation_text(report: CompensationReport) -> str:
     steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(report.iterations) if n)
     lines.append(f"method {settings.method}, words {settings.words}, {_resolution(report)}; corrections made: {steps}")
     return "\n".join(lines)
+
+
+def _unplaced(report: CompensationReport) -> list[str]:
+    """That positions count as machine coordinates, and what it may cost."""
+    if report.unplaced is None:
+        return []
+    return [
+        "no work offset is given or selected: positions count as machine coordinates. If the control is in G54 or in "
+        "another work offset all the same, as most are where a program says nothing, compensated positions are wrong "
+        f"by up to {report.unplaced:.4f} mm (its zero anywhere in the travel). Say --offset G54=X..,Y..,Z.. (10 mm are "
+        "near enough), or G54=X0,Y0,Z0 where they are machine coordinates"
+    ]
 
 
 def _resolution(report: CompensationReport) -> str:
@@ -139,6 +152,19 @@ def _troubles(report: CompensationReport) -> list[str]:
     return [
         *(_coarse_words(report) if report.over_tolerance.points else []),
         *(f"{name}: {_points(found)}" for name, found in kinds if found.points),
+        *_left_by_held_axes(report),
+    ]
+
+
+def _left_by_held_axes(report: CompensationReport) -> list[str]:
+    """Lines above the tolerance because an axis gets no word there."""
+    found = [line for line in report.over_tolerance.first if line in report.uncommanded.first]
+    if not found:
+        return []
+    lines = _named_lines(Lines(len(found), tuple(found)))
+    return [
+        f"lines {lines}: an axis has no word there, so its error is left (see the notes): command it in this frame "
+        "before, by G90"
     ]
 
 
@@ -167,7 +193,7 @@ def _places(report: CompensationReport) -> list[str]:
     if report.uncommanded_left is not None:
         left = report.uncommanded_left
         lines.append(
-            f"axes not commanded yet get no words: {_points(report.uncommanded)}; "
+            f"axes not commanded yet in the frame in force get no words: {_points(report.uncommanded)}; "
             f"largest error left {left.largest:.4f} mm at line {left.line}"
         )
     if report.kept_holes is not None:

@@ -100,7 +100,7 @@ class KlartextReader:
             self._faults.add(number, problem)
         if state.ended or problem:
             if not problem and lex_klartext(body).coordinates:
-                self._notes.add(number, AFTER_END)
+                self._notes.warn(number, AFTER_END)
             return [text]
         _, optional, rest = head_of(body)
         block = lex_klartext(body)

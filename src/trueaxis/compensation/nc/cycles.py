@@ -4,7 +4,7 @@ from collections.abc import Hashable, Iterator
 from dataclasses import replace
 
 from trueaxis.compensation.logs import FaultLog
-from trueaxis.compensation.move_notes import KEPT, STORED, notes_of_cycle
+from trueaxis.compensation.move_notes import KEPT, OF_PECKS, STORED, notes_of_cycle
 from trueaxis.compensation.moves import Item, KeptHole, Kind, Notes
 from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc.canned_cycle import MOST_REPEATS, Cycle, peck_in_doubt, repeats_of
@@ -293,4 +293,4 @@ class CycleReader:
         """Note holes that are written out, from a line on."""
         if (cycle := self._state.cycle) is not None:
             for text in notes_of_cycle(cycle, self._settings):
-                self._notes.add(number, text, holes)
+                (self._notes.warn if text in OF_PECKS else self._notes.add)(number, text, holes)

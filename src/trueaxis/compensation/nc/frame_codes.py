@@ -9,9 +9,6 @@ from trueaxis.compensation.offsets import NOT_KNOWN, NUMBERED
 from trueaxis.compensation.settings import Settings
 
 _OF_ALL = 6  # G54 to G59 exist on all controls; the others of `NUMBERED` on LinuxCNC alone
-NO_OFFSET = (
-    "no work offset is given or selected: positions count as machine coordinates; else say --offset G54=X..,Y..,Z.."
-)
 CUT_OFF = "the program ends without {}: is it whole?"
 FIRST = "no work offset is selected yet: G54 is taken to be in force"
 _LINUXCNC = "say --dialect linuxcnc if that is the control"
@@ -83,9 +80,9 @@ class FrameReader:
         ends such a program, or empty.
         """
         if self._state.moved and not self._said and not self._state.frames.system:
-            self._notes.add(0, NO_OFFSET)
+            self._notes.unplaced = True
         if end and not self._state.ended:
-            self._notes.add(0, CUT_OFF.format(end))
+            self._notes.warn(0, CUT_OFF.format(end))
 
     def _whole(self, number: int, name: str) -> None:
         """A fault, once, where a work offset under which the program moves lacks the value of a linear axis."""

@@ -131,7 +131,7 @@ class ModeReader:
         if not self._state.moved:
             for mode, text in MODE_NOTES.items():
                 if mode not in self._state.said:
-                    self._notes.add(number, text)
+                    self._notes.warn(number, text)
 
 
 def note_unfed(number: int, state: NcState, notes: Notes) -> None:

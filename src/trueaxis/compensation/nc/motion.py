@@ -168,7 +168,7 @@ class MotionReader:
             elif state.motion:
                 self._notes.add(number, MACHINE_FEED)
             elif state.frames.system is None and not state.frames.shift:
-                self._notes.add(number, MACHINE_COORDINATES)
+                self._notes.warn(number, MACHINE_COORDINATES)
             return True
         return False
 

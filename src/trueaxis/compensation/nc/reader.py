@@ -115,7 +115,7 @@ class NcReader:
         text = body[begin:].strip()
         if self._state.ended:
             if _POSITION.search(re.sub(r"\([^()]*\)|;.*", "", text)):
-                self._notes.add(number, AFTER_END)
+                self._notes.warn(number, AFTER_END)
             return [line]
         if not text or text[0] == "%":
             self._modes.mark(number, text)

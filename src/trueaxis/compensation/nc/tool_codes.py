@@ -43,7 +43,14 @@ BELOW_ZERO = (
 )
 NO_SUCH_NAME = 'no tool in --tools has the name "{}"'
 NAME_REMEDY = 'name = "{}" beside the length of the tool, in TOML'
+UNMEASURED = (
+    "tool {} is moved without its length ({:g} mm in --tools): {}, so positions count for the point of --tool-point, "
+    "not for the tip"
+)
+NONE_SINCE = "no {} since the tool change"
+ENDED = "{} has ended it"
 UNKNOWN_TOOL = -1
+INCREMENT = "an increment of Z beside a new tool length: whether it is added differs by control"
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -106,6 +113,8 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
+        self._why_none = ""  # why no length is in force, where that is to be noted at the next motion
+        self._not_yet_gone = False  # Z goes by a new length only with its next word (SINUMERIK)
         self._kept = m_codes.TOOL_CHANGE in settings.pass_m
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults, self._kept)
         self._selected: int | None = None
@@ -121,7 +130,7 @@ class ToolReader:
     @property
     def due(self) -> bool:
         """Whether something may be to be noted at the next motion."""
-        return self._changed or self._changes.waiting
+        return self._changed or bool(self._why_none) or self._not_yet_gone or self._changes.waiting
 
     def moves(self, meaning: Meaning) -> bool:
         """Whether the tool change of a block may move axes."""
@@ -166,26 +175,44 @@ class ToolReader:
         frames = self._state.frames
         if meaning.length_code is None:
             rapid = meaning.motion == 0 or (meaning.motion is None and self._state.motion == 0)
-            if self._changed and (meaning.drilling or (meaning.positions and ("Z" in meaning.axes or not rapid))):
-                self._changed = False
-                if self._on_siemens:
-                    self._notes.add(number, FIRST_EDGE)
-                if (old := frames.tool_of_length) and old != self._state.tool:
-                    self._notes.add(number, OLD_LENGTH.format(self._state.tool, old))
+            if meaning.drilling or (meaning.positions and ("Z" in meaning.axes or not rapid)):
+                self._note_length(number, meaning)
             return
-        self._changed = False
+        self._changed, self._why_none = False, ""
         if meaning.length_code == codes.END_LENGTH:
+            self._why_none = ENDED.format("D0" if self._on_siemens else "G49")
             self._set(number, meaning, [0.0] * len(frames.axes), 0)
             return
         of_tool = self._whose_length(number, meaning)
         if of_tool is None:
             return
         if self._state.tool and of_tool and of_tool != self._state.tool:
-            self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))
+            self._notes.warn(number, OF_ANOTHER.format(of_tool, self._state.tool))
         if self._state.tool is None and of_tool:
             self._notes.add(number, IN_SPINDLE.format(of_tool))
             self._state.tool, self._taken = of_tool, True
         self._set(number, meaning, self._lengths(number, self._tool(number, of_tool)), of_tool)
+
+    def _note_length(self, number: int, meaning: Meaning) -> None:
+        """Note, at a motion, what is to be said of the length in force."""
+        if self._not_yet_gone and "Z" in meaning.axes:
+            self._not_yet_gone = False
+            if not meaning.ways.get("Z", self._state.absolute):
+                self._faults.add(number, INCREMENT, "G90 in the block")
+        if meaning.in_machine_coordinates and not self._on_siemens:
+            return
+        if self._changed and self._on_siemens:
+            self._notes.add(number, FIRST_EDGE)
+        if meaning.in_machine_coordinates and not self._changed:
+            return
+        tool, old = self._state.tool, self._state.frames.tool_of_length
+        if self._changed and old and old != tool:
+            self._notes.warn(number, OLD_LENGTH.format(tool, old))
+        known = self._table.tools.get(tool) if self._table is not None and tool else None
+        if not old and (self._changed or self._why_none) and known is not None and known.shift[2]:
+            why = self._why_none or NONE_SINCE.format(self._length_word)
+            self._notes.warn(number, UNMEASURED.format(tool, known.shift[2], why))
+        self._changed, self._why_none = False, ""
 
     def _whose_length(self, number: int, meaning: Meaning) -> int | None:
         """The tool whose length is put in force, 0: none; None: a fault, which is added."""
@@ -248,11 +275,11 @@ class ToolReader:
     def _set(self, number: int, meaning: Meaning, lengths: list[float], tool: int) -> None:
         state = self._state
         if not state.frames.has_length_of(tool) and not self._on_linuxcnc:
-            if "Z" not in meaning.axes:  # some controls move by the difference at once, others with the next word
+            if "Z" in meaning.axes:
+                if not meaning.ways.get("Z", state.absolute) and not meaning.in_machine_coordinates:
+                    self._faults.add(number, INCREMENT, "G90 in the block")
+            elif self._on_siemens:
+                self._not_yet_gone = True
+            else:  # some controls move by the difference at once, others with the next word
                 state.commanded.displace([state.row["Z"]] if "Z" in state.row else [])
-            elif not state.absolute:
-                self._faults.add(
-                    number, "an increment of Z beside a new tool length: whether it is added differs by control",
-                    "G90 in the block",
-                )  # fmt: skip
         state.frames.take_length(lengths, tool)
