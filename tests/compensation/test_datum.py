@@ -24,7 +24,7 @@ from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.compensation.touched_off import TouchedOff, touched_off_of_option
 from trueaxis.effects.kind import Effect
 from trueaxis.io.faults import InputError
-from trueaxis.reporting.compensation import sign_check_text
+from trueaxis.reporting.compensation_checks import sign_check_text
 
 PROBE, CUTTER = 118.0, 74.5
 TOOLS = ToolTable({3: Tool(length=CUTTER)})

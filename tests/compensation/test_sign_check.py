@@ -8,6 +8,8 @@ import pytest
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench, execute
 from tests.compensation.five_axes import TEXTS, FiveAxes, constant
+from tests.machines import machine_of
+from trueaxis.machine.topology import tool_senses
 
 ORIGIN = np.zeros((3, 1))
 
@@ -117,6 +119,21 @@ def test_the_senses_follow_the_spec(bench: Bench, name: str, senses: dict[str, s
     assert bench.report.senses.towards == senses
     rotary = " ".join(f"{axis}0" for axis in model.axes if axis not in "XYZ")
     assert f"the model takes it that at {rotary} X+ commands move" in bench.told
+
+
+@pytest.mark.parametrize("name", ["table-table", "head-head", "head and table", "all reversed"])
+def test_the_way_rotary_axes_turn_the_tool_follows_the_spec(bench: Bench, name: str) -> None:
+    """The tool turns with an axis on its own side, and against one on that of the workpiece."""
+    model = constant(TEXTS[name], {})
+    bench.run(f"G21 G90\nG0 {' '.join(f'{axis}10.' for axis in model.axes)}\n", model)
+    wanted = {
+        axis: f"{'XYZ'['ABC'.index(axis)]}{'+' if sense > 0 else '-'}"
+        for axis, sense in tool_senses(machine_of(TEXTS[name])).items()
+        if axis in "ABC"
+    }
+    assert wanted
+    assert bench.report.senses.about == wanted
+    assert all(f"{axis}+ turns it from " in bench.told for axis in wanted)
 
 
 def test_it_is_left_out_where_nothing_is_to_be_seen(bench: Bench) -> None:

@@ -53,15 +53,19 @@ def execute(
     tool_point: FloatArray,
     settings: Settings,
     held: Held,
+    unplaced: NDArray[np.bool_],
 ) -> Executed:
     """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it.
 
-    held: (n_axes, n_points), axes that get no word. No word names a position outside the travel.
+    held: (n_axes, n_points), axes that get no word. No word names a position outside the travel; unplaced: (n_points,),
+    those of which that is not known.
     """
     held = held[:, stretch.first : stretch.last]
     chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
     base = stretch.base(previous)
-    inside = inside_travel(chosen.positions, Lattice(base[:, None], stretch.step), model, tool_point)
+    inside = inside_travel(
+        chosen.positions, Lattice(base[:, None], stretch.step), model, tool_point, unplaced[chosen.point]
+    )
     held_now = columns_of(held, chosen.point - stretch.first)
     stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
     return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)

@@ -9,9 +9,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, linear_rows, rotary_rows
-from trueaxis.compensation.path import MoveTable, Path
+from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.path import Held, MoveTable, Path, alike
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 from trueaxis.compensation.subdivide import probe_count
 
@@ -101,23 +103,46 @@ def rotary_on_words(
     return out
 
 
+def unplaced_tips(path: Path, elsewhere: Held, axes: tuple[str, ...]) -> NDArray[np.bool_]:
+    """Points (n,) of the tip, under tool centre point control, from which it is not known where the linear axes stand:
+    an axis may stand anywhere, and rotary axes are turned. elsewhere: (n_axes, n).
+    """
+    rows = [row for row, axis in enumerate(axes) if axis not in LINEAR]
+    turned = (path.points[rows] != 0.0).any(axis=0) | (path.origins[rows] != 0.0).any(axis=0)
+    return np.asarray(elsewhere.any(axis=0) & turned)
+
+
+UNPLACED_TIP = (
+    "where {} stands is not known, and with rotary axes turned the linear axes stand by it under tool centre point "
+    "control: whether they stay within their travel on this rapid is not checked. X Y Z in one block behind the switch"
+)
 _ROUNDING = 1e-9  # mm, deg: what doubles lose
 
 
-def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: FloatArray, faults: FaultLog) -> None:
+def note_outside(
+    moves: MoveTable, path: Path, model: ErrorModel, tool_point: FloatArray, faults: FaultLog, notes: Notes
+) -> None:
     """Faults of programmed positions, those along arcs too, that are outside the travel; once a block, and where an
     axis comes to such a position, not where it stays there. None where it is not known where positions are.
 
     tool_point: (3, 1), which says where the axes are under tool centre point control. Their way is no straight line
-    then, and is looked at all along.
+    then, and is looked at all along; where it is not known, that is noted.
     """
     positions, owner = path.points, path.owner
+    unknown = np.zeros(len(moves), dtype=bool)  # where the linear axes stand
     if isinstance(model, PointControlled):
+        elsewhere = columns_of(moves.elsewhere, owner)
+        unplaced = unplaced_tips(path, elsewhere, model.axes)
+        for index in alike(elsewhere & unplaced):
+            names = " ".join(axis for axis, free in zip(model.axes, elsewhere[:, index[0]], strict=True) if free)
+            notes.warn(int(moves.lines[owner[index[0]]]), UNPLACED_TIP.format(names), np.unique(owner[index]).size)
+        unknown[owner[unplaced]] = True
         positions, owner = _passed(path, model, tool_point)
         model = model.base
     low, high = _limits(model)
-    _note_reach(positions[:, ~moves.in_machine[owner]], model.axes, faults)
+    _note_reach(positions[:, ~(moves.in_machine | unknown)[owner]], model.axes, faults)
     outside = (positions < low - _ROUNDING) | (positions > high + _ROUNDING)
+    outside[list(linear_rows(model.axes))] &= ~unknown[owner]
     if positions is path.points:
         outside &= path.points != path.origins
     points, lines = np.flatnonzero(outside.any(axis=0)), moves.lines
@@ -146,9 +171,10 @@ def _note_reach(positions: FloatArray, axes: tuple[str, ...], faults: FaultLog) 
 
 
 def inside_travel(
-    positions: FloatArray, lattice: Lattice, model: ErrorModel, tool_point: FloatArray
-) -> FloatArray:  # fmt: skip
-    """Positions of words, (n_axes, n), those that lead out of the travel moved to where all axes are inside.
+    positions: FloatArray, lattice: Lattice, model: ErrorModel, tool_point: FloatArray, unplaced: NDArray[np.bool_]
+) -> FloatArray:
+    """Positions of words, (n_axes, n), those that lead out of the travel moved to where all axes are inside; unplaced:
+    (n,), those of which that is not known.
 
     Under tool centre point control the tip goes to where the control puts the axes at the end of their travel.
     """
@@ -159,6 +185,7 @@ def inside_travel(
     low, high = _limits(model.base)
     at = model.axis_positions(positions, tool_point)
     out = ((at < low - _ROUNDING) | (at > high + _ROUNDING)).any(axis=0)
+    out &= ~unplaced
     if not out.any():
         return positions
     rows = list(linear_rows(model.axes))

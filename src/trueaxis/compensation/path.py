@@ -20,6 +20,7 @@ class Places:
     """What is known of where axes stand, each (n_axes, n_points): held, axes that got no word although compensation
     would move them; elsewhere, axes that may stand anywhere; unnamed, linear axes that the program has not moved yet.
     parking: (n_points,), rapids in machine coordinates (G53). allowed: (n_points,), largest tool point error, mm.
+    unplaced: (n_points,), see `unplaced_tips`.
     """
 
     held: Held
@@ -27,6 +28,7 @@ class Places:
     unnamed: Held
     parking: NDArray[np.bool_]
     allowed: FloatArray
+    unplaced: NDArray[np.bool_]
 
     @property
     def uncounted(self) -> Held:

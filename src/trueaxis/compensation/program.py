@@ -13,7 +13,7 @@ from trueaxis.compensation.course import Everywhere, Placing
 from trueaxis.compensation.datum import FromDatum, FromDatumOnCourse, datum_shift
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.kept_arcs import ArcBlocks, arc_blocks
-from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches
+from trueaxis.compensation.lattice import Stretch, note_outside, rotary_on_words, stretches, unplaced_tips
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.move_notes import note_moves
@@ -166,7 +166,7 @@ class Compensator:
             moves = moves.without_arcs()
         chords = ArcChords.of(moves, start, self._model, self._settings.chord_tolerance, self._arcs_stay)
         path, _ = chords.on(moves, start, self._model.axes)
-        note_outside(moves, path, self._model, self._tool_point, self._faults)
+        note_outside(moves, path, self._model, self._tool_point, self._faults, self._notes)
         if self._faults.count:
             return ""
         ahead = batch.following
@@ -195,14 +195,14 @@ class Compensator:
             return self._compensated(moves, start, chords.finer(bent).on(moves, start, axes), follows, following)
         model = placing.at(np.arange(path.size), np.ones(path.size))
         of = path.owner if path.size > len(moves) else slice(None)  # each move has a point at least
-        absolute, inch, lines = moves.absolute[of], moves.inch[of], moves.lines[of]
-        held = columns_of(moves.held, of)
+        absolute, inch, lines, held = moves.absolute[of], moves.inch[of], moves.lines[of], columns_of(moves.held, of)
         waiting = held & self._corrected
         parking = moves.in_machine[of] & path.rapid
         allowed = np.where(inch, settings.allowed(True), settings.allowed(False))
+        elsewhere, controlled = columns_of(moves.elsewhere, of), isinstance(self._model, PointControlled)
         places = Places(
-            held=waiting, elsewhere=columns_of(moves.elsewhere, of), unnamed=columns_of(moves.unnamed, of),
-            parking=parking, allowed=allowed,
+            held=waiting, elsewhere=elsewhere, unnamed=columns_of(moves.unnamed, of), parking=parking, allowed=allowed,
+            unplaced=unplaced_tips(path, elsewhere, axes) if controlled else np.zeros_like(parking),
         )  # fmt: skip
         shift = columns_of(moves.shift, of)
         kinds = list(stretches(absolute, inch, shift, axes, settings))
@@ -215,7 +215,9 @@ class Compensator:
         parts: list[Executed] = []
         previous = self._written
         for stretch in kinds:
-            part = execute(stretch, previous, path, solved.linear, passable, model, tool_point, settings, held)
+            part = execute(
+                stretch, previous, path, solved.linear, passable, model, tool_point, settings, held, places.unplaced
+            )
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)

@@ -12,7 +12,7 @@ from trueaxis.compensation.logs import Lines, Summary
 from trueaxis.compensation.machine import FloatArray
 from trueaxis.compensation.reliance import Reliance
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.sign_check import Senses, SignCheck
+from trueaxis.compensation.sign_check import KinematicsCheck, Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.tracker import EffectNote
 
@@ -93,6 +93,7 @@ class CompensationReport:
     tools: those of --tools, with their points.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
+    kinematics_check: where the axes stand under tool centre point control; None without it, or where nothing turns.
     passed: M codes that --pass-m vouches for, with their lines.
     unplaced: where no work offset is known, by how much words may change with its zero anywhere in the travel, mm.
     warnings: what may cost a crash or a wrong part; notes: all else that is to be known.
@@ -137,6 +138,7 @@ class CompensationReport:
     effects: tuple[EffectNote, ...]
     senses: Senses
     sign_check: SignCheck | None
+    kinematics_check: KinematicsCheck | None
     passed: tuple[PassedCode, ...]
     unplaced: float | None
     warnings: tuple[str, ...]

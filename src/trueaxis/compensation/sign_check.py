@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_jacobian, linear_rows
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
 from trueaxis.compensation.path import Held, Path
 
 
@@ -45,15 +45,38 @@ class Senses:
     """Where the model takes a positive command of each linear axis to move the tool.
 
     towards: direction in the workpiece frame of each axis, as `Y-`. rotary: positions of the rotary axes, deg, at which
-    that holds.
+    that holds. about: the direction in the workpiece frame about which each rotary axis turns the tool, right-handed.
     """
 
     towards: dict[str, str]
     rotary: dict[str, float]
+    about: dict[str, str]
+
+
+_TURN = 0.1  # deg, either way
+
+
+def turned_about(model: ErrorModel, home: FloatArray) -> dict[str, str]:
+    """The direction in the workpiece frame about which each rotary axis turns the tool there; home: (n_axes,)."""
+    found = {}
+    for row in rotary_rows(model.axes):
+        turn = np.zeros((home.size, 1))
+        turn[row] = _TURN
+        back, forth = (
+            np.hstack([model.orientation_ideal(home[:, None] + way * turn, unit[:, None]) for unit in np.eye(3)])
+            for way in (-1.0, 1.0)
+        )
+        rotation = forth @ back.T
+        vector = np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0],
+                           rotation[1, 0] - rotation[0, 1]])  # fmt: skip
+        main = int(np.argmax(np.abs(vector)))
+        if abs(vector[main]) > np.radians(_TURN):  # else tool and workpiece turn together
+            found[model.axes[row]] = LINEAR[main] + ("+" if vector[main] > 0.0 else "-")
+    return found
 
 
 def senses_of(model: ErrorModel, tool_point: FloatArray) -> Senses:
-    """Which way each linear axis moves the tool at home; tool_point: (3, 1), mm."""
+    """Which way each linear axis moves the tool at home, and each rotary one turns it; tool_point: (3, 1), mm."""
     home = home_of(model)
     moves = linear_jacobian(model, home[:, None], tool_point)[:, :, 0]
     towards = {}
@@ -61,13 +84,47 @@ def senses_of(model: ErrorModel, tool_point: FloatArray) -> Senses:
         main = int(np.argmax(np.abs(moves[:, column])))
         towards[model.axes[row]] = LINEAR[main] + ("+" if moves[main, column] > 0.0 else "-")
     at = zip(model.axes, home.tolist(), strict=True)
-    return Senses(towards, {axis: value for axis, value in at if axis not in LINEAR})
+    rotary = {axis: value for axis, value in at if axis not in LINEAR}
+    return Senses(towards, rotary, turned_about(model, home))
 
 
 def home_of(model: ErrorModel) -> FloatArray:
     """Axis positions (n_axes,), mm and deg, nearest to 0 within the travel."""
     low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
     return np.asarray(np.clip(np.zeros(len(model.axes)), low, high))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KinematicsCheck:
+    """Where the axes stand at the end of a block under tool centre point control if the control's kinematics are those
+    of the spec. line: of the block. position: of the axes, mm and deg, as programmed. turned: how far the turns of
+    rotary axes have moved the linear ones, mm.
+    """
+
+    line: int
+    position: dict[str, float]
+    turned: float
+
+
+class KinematicsChecker:
+    """Keeps the programmed point at which turned rotary axes move the linear ones farthest."""
+
+    def __init__(self, axes: tuple[str, ...]) -> None:
+        self._axes, self._linear = axes, list(linear_rows(axes))
+        self.found: KinematicsCheck | None = None
+
+    def add(self, tips: FloatArray, points: FloatArray, lines: NDArray[np.int64], left_out: Held) -> None:
+        """Look at positions of the tip and where the axes stand there, each (n_axes, n); left_out: (n,), points where
+        that is not known.
+        """
+        turned = np.sqrt(((points - tips)[self._linear] ** 2).sum(axis=0)) * ~left_out
+        most = int(np.argmax(turned))
+        if turned[most] > max(_SHOWS, 0.0 if self.found is None else self.found.turned):
+            position = dict(zip(self._axes, points[:, most].tolist(), strict=True))
+            self.found = KinematicsCheck(line=int(lines[most]), position=position, turned=float(turned[most]))
+
+
+_SHOWS = 1.0  # mm: less is hardly told from the corrections themselves
 
 
 class SignChecker:

@@ -18,7 +18,7 @@ from trueaxis.compensation.path import Path, Places
 from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
-from trueaxis.compensation.sign_check import SignChecker, senses_of
+from trueaxis.compensation.sign_check import KinematicsChecker, SignChecker, senses_of
 from trueaxis.compensation.solve import Solved, ToolAxis
 from trueaxis.compensation.tool_errors import NOTHING_KNOWN, Known, ToolErrors, tool_errors
 from trueaxis.compensation.tracker import EffectNote
@@ -43,6 +43,7 @@ class Tally:
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._controlled: PointControlled | None = None
+        self._kinematics = KinematicsChecker(model.axes)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
@@ -115,7 +116,10 @@ class Tally:
             self._sign.add(path, before.vectors + self._off, written, lines, left_out, self._off)
         else:
             origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
-        self.visited[self._setup].add(origins, points, moved)
+            ends = np.diff(path.owner, append=-1) != 0
+            self._kinematics.add(path.points, points, lines, ~ends | places.elsewhere.any(axis=0))
+        seen = ~places.unplaced if places.unplaced.any() else slice(None)
+        self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen])
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
         if waiting.any():
@@ -274,6 +278,7 @@ class Tally:
             effects=self._effects,
             senses=self._senses,
             sign_check=self._sign.found,
+            kinematics_check=self._kinematics.found,
             passed=tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             unplaced=unplaced(self._model, self.visited) if notes.unplaced else None,
             warnings=notes.texts(grave=True),

@@ -3,16 +3,14 @@ has to know, last how it was computed.
 """
 
 import math
-from collections.abc import Mapping
 
 from trueaxis.compensation.elsewhere import NEAR, OffsetUse, UnknownPlaces, UnnamedFeeds
 from trueaxis.compensation.logs import Lines
 from trueaxis.compensation.report import CompensationReport, Errors, Failure
 from trueaxis.compensation.settings import LEAST_INCH, MM_PER_INCH
-from trueaxis.compensation.sign_check import Senses, SignCheck
 from trueaxis.compensation.tools import ToolUse
+from trueaxis.reporting.compensation_checks import kinematics_text, position_text, senses_text, sign_check_text
 
-_SHOWN = 0.00005  # mm, half of the last decimal that is shown
 _LINES_NAMED = 10
 _FAILURES: dict[Failure, str] = {
     "not converged": "points did not converge",
@@ -55,9 +53,11 @@ def compensation_text(report: CompensationReport) -> str:
             f"{_points(report.parked_at_end)}; nothing is cut there, and they count as no fault"
         )
     lines.extend(f"note: {note}" for note in (*_inch_words(report), *report.notes))
-    lines.append(_senses(report.senses))
+    lines.append(senses_text(report.senses))
     if report.sign_check is not None:
         lines.append(sign_check_text(report.sign_check))
+    if report.kinematics_check is not None:
+        lines.append(kinematics_text(report.kinematics_check))
     steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(report.iterations) if n)
     lines.append(f"method {settings.method}, words {settings.words}, {_resolution(report)}; corrections made: {steps}")
     return "\n".join(lines)
@@ -242,13 +242,13 @@ def _tool(use: ToolUse) -> str:
 def _unknown_places(of: UnknownPlaces) -> str:
     return (
         f"{of.change.count} rapids while the position of {' '.join(of.assumed)} is unknown: their words are "
-        f"for {_position(of.assumed)} (or the position before a tool change) and would differ by at most "
+        f"for {position_text(of.assumed)} (or the position before a tool change) and would differ by at most "
         f"{of.change.largest:.4f} mm (line {of.change.line}) elsewhere in the travel; it gets no word"
     )
 
 
 def _unnamed_feeds(of: UnnamedFeeds) -> str:
-    parts = [f"feed motions before the program commands {' '.join(of.places)}, assumed at {_position(of.places)}"]
+    parts = [f"feed motions before the program commands {' '.join(of.places)}, assumed at {position_text(of.places)}"]
     if of.left is not None:
         parts.append(
             f"it gets no word, and an error of at most {of.left.largest:.4f} mm (line {of.left.line}) is left "
@@ -262,38 +262,3 @@ def _unnamed_feeds(of: UnnamedFeeds) -> str:
             f"{of.anywhere.line}), which is added to the errors above"
         )
     return "; ".join(parts)
-
-
-def sign_check_text(check: SignCheck) -> str:
-    """How to see with a gauge whether the signs are right."""
-    turned = "" if check.axis == check.direction else f"; {check.axis} moves the tool along {check.direction} there"
-    offset = abs(check.datum - check.at_home) >= _SHOWN
-    why = " (not zero, as home itself is not corrected)" if offset else ""
-    moved = f"{check.axis}{check.command:.9g} ({check.command - check.position[check.axis]:+.4f} mm{turned})"
-    return (
-        f"sign check before first use: set a gauge or laser between table and tool, along {check.direction} of the "
-        f"workpiece frame, to zero at home ({_position(check.home)}) and go to {_position(check.position)} "
-        f"(line {check.line}).\n"
-        f"  Without compensation it must show {check.since_home:+.4f} mm (above 0: the tool stands too far "
-        f"towards {check.direction}+ of the workpiece).\n"
-        f"  With the compensated program, which commands {moved}, it must show {check.compensated:+.4f} mm{why}.\n"
-        "  If the first reading has the other sign, so have the error values: do not run the program."
-    )
-
-
-def _senses(senses: Senses) -> str:
-    parts: list[str] = []
-    for axis, way in senses.towards.items():
-        first = " move the tool" if not parts else ""
-        workpiece = " of the workpiece" if not parts else ""
-        table = f" (as where the table moves to {way[0]}+)" if way[1] == "-" else ""
-        parts.append(f"{axis}+ commands{first} to {way}{workpiece}{table}")
-    at = f"at {_position(senses.rotary)} " if senses.rotary else ""
-    return (
-        f"the model takes it that {at}{', '.join(parts)}. "
-        "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
-    )
-
-
-def _position(at: Mapping[str, float]) -> str:
-    return " ".join(f"{axis}{value + 0.0:.9g}" for axis, value in at.items())
