@@ -139,9 +139,28 @@ def test_singular_poses_are_told_with_their_lines(tmp_path: Path, capsys: pytest
     assert at[4, 1:3] == pytest.approx([30.0, 30.0])
     assert np.abs(at[4] - 30.0).max() < 0.5
     assert code == (1 if report["over_orientation"]["points"] else 0)
-    assert "singular poses, one direction of the tool axis not corrected: 3 points, lines 2, 3, 4" in (
-        capsys.readouterr().out
-    )
+    told = capsys.readouterr().out
+    assert "one direction of the tool axis not corrected (no fault between rapids): 3 points, lines 2, 3, 4" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("A0.\nX255.\nA-20.\n", []),  # nothing is cut there
+        ("A0.\nG1 X255. F500\nG0 A-20.\n", [2, 3]),  # the cut begins and ends at the pose
+        ("A-20.\nG1 A0. F500\nG0 A-20.\n", [3]),
+        ("A0.\nG1 A-20. F500\n", [2, 3]),
+        ("A-20.\nA0.\nM30\n", []),
+    ],
+)
+@pytest.mark.parametrize("points", [1, 16384])
+def test_a_singular_pose_matters_where_something_is_cut(bench: Bench, text: str, lines: list[int], points: int) -> None:
+    """A rapid to A0 alone made the exit code 1; points: in batches of as many."""
+    model = FiveAxes(TEXTS["table-table"]).model
+    bench.run(f"G0 X10. Y20. Z30. A-40. C30.\n{text}", model, orientation="correct", batch_points=points)
+    assert bench.report.singular.points > 0
+    assert list(bench.report.over_orientation.first) == lines
+    assert bench.report.good == (not lines)
 
 
 def test_incremental_and_absolute_rotary_words_agree(bench: Bench) -> None:
@@ -180,7 +199,7 @@ def test_lines_are_cut_where_the_turns_bend(bench: Bench) -> None:
     assert bench.report.orientation.along is not None
     assert bench.report.orientation.along.largest < 1.3 + 0.5
     assert turned.shape[1] > kept.shape[1]
-    assert any("some controls then read its F" in note for note in bench.report.notes)
+    assert any("some controls then read its F" in note for note in bench.report.warnings)
 
 
 def test_a_machine_that_cannot_turn_the_tool_says_so(bench: Bench) -> None:

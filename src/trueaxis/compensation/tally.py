@@ -20,7 +20,7 @@ from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import KinematicsChecker, SignChecker, senses_of
 from trueaxis.compensation.solve import Solved, ToolAxis
-from trueaxis.compensation.tool_errors import NOTHING_KNOWN, Known, ToolErrors, tool_errors
+from trueaxis.compensation.tool_errors import NOTHING_KNOWN, CuttingPoses, Known, ToolErrors, tool_errors
 from trueaxis.compensation.tracker import EffectNote
 from trueaxis.compensation.used import datum_of, offsets_used, tools_used, unplaced
 from trueaxis.compensation.word_choice import bar_error, length
@@ -44,6 +44,7 @@ class Tally:
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._controlled: PointControlled | None = None
         self._kinematics = KinematicsChecker(model.axes)
+        self._cutting = CuttingPoses()
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
@@ -110,16 +111,10 @@ class Tally:
         if self._settings.orientation == "keep":  # rotary words are rounded, and not corrected
             moved[list(rotary_rows(self._axes))] = 0.0
         waiting = held.any(axis=0)
-        origins, points = path.origins, path.points
         if self._controlled is None:
             left_out = waiting | stopped | places.parking
             self._sign.add(path, before.vectors + self._off, written, lines, left_out, self._off)
-        else:
-            origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
-            ends = np.diff(path.owner, append=-1) != 0
-            self._kinematics.add(path.points, points, lines, ~ends | places.elsewhere.any(axis=0))
-        seen = ~places.unplaced if places.unplaced.any() else slice(None)
-        self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen])
+        self._visit(path, moved, lines, places)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
         if waiting.any():
@@ -135,6 +130,16 @@ class Tally:
         after = self._at_points(model, counted, path, solved, written, lines, places) if index.size else None
         at_ends = after if isinstance(counted, slice) and not done.passed.any() else None
         self._along(path, done, lines, previous, settled, placing, places, at_ends)
+
+    def _visit(self, path: Path, moved: FloatArray, lines: NDArray[np.int64], places: Places) -> None:
+        """Take in where the axes come to; moved: (n_axes, n_points), by how much the words move the points."""
+        origins, points = path.origins, path.points
+        if self._controlled is not None:
+            origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
+            ends = np.diff(path.owner, append=-1) != 0
+            self._kinematics.add(path.points, points, lines, ~ends | places.elsewhere.any(axis=0))
+        seen = ~places.unplaced if places.unplaced.any() else slice(None)
+        self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen])
 
     def _stopped(
         self, done: Executed, places: Places, lines: NDArray[np.int64]
@@ -186,8 +191,10 @@ class Tally:
         self._note("after", after, at)
         self._over_tolerance.add(at[~(length(after.vectors) <= places.allowed[index])])
         if solved.pose is not None and after.turned is not None:
-            self._singular.add(at[solved.pose.singular[index]])
-            self._over_orientation.add(at[~(1e6 * after.turned <= self._settings.orientation_tolerance_urad)])
+            singular = solved.pose.singular[index]
+            self._singular.add(at[singular])
+            over = ~(1e6 * after.turned <= self._settings.orientation_tolerance_urad)
+            self._over_orientation.add(self._cutting.lines(at, over, singular, path.rapid[index]))
         return after
 
     def _along(

@@ -61,3 +61,23 @@ def tool_errors(
         error = error + taken_back(model, positions, error, known.free, tool_point)
     turned = angle(axis.on(model).actual(positions), axis.wanted(wanted)) if axis.turns else None
     return ToolErrors(target, error, turned)
+
+
+class CuttingPoses:
+    """Tells, batch by batch, at which points an error of the tool axis matters: at a singular pose between rapids
+    nothing is cut.
+    """
+
+    def __init__(self) -> None:
+        self._waits: int | None = None  # the line of a rapid to a singular pose, before it is known what follows
+
+    def lines(self, lines: NDArray[np.int64], over: Held, singular: Held, rapid: Held) -> NDArray[np.int64]:
+        """Lines of the points with too large an error, `over`, that matter; a feed motion that begins at a pose cuts
+        there, too. All (n,).
+        """
+        between, begins_cut = singular & rapid, ~np.append(rapid[1:], True)
+        if self._waits is not None and not rapid[0]:
+            lines, over = np.append(self._waits, lines), np.append(True, over)
+            between, begins_cut = np.append(False, between), np.append(True, begins_cut)
+        self._waits = int(lines[-1]) if over[-1] and between[-1] else None
+        return np.asarray(lines[over & (begins_cut | ~between)])

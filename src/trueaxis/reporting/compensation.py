@@ -147,7 +147,7 @@ def _troubles(report: CompensationReport) -> list[str]:
         ("above tolerance", report.over_tolerance),
         ("out of travel, words stop at its end", report.out_of_travel),
         (f"above {settings.orientation_tolerance_urad:g} urad", report.over_orientation),
-        ("singular poses, one direction of the tool axis not corrected", report.singular),
+        ("singular poses, one direction of the tool axis not corrected (no fault between rapids)", report.singular),
     )
     return [
         *(_coarse_words(report) if report.over_tolerance.points else []),
