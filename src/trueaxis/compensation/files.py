@@ -23,6 +23,7 @@ from trueaxis.compensation.dialects import (
     marked,
     numbered,
 )
+from trueaxis.compensation.foreign import NO_BLOCK, is_empty
 from trueaxis.compensation.klartext.reader import KlartextReader
 from trueaxis.compensation.linuxcnc.blocks import Unrolled
 from trueaxis.compensation.linuxcnc.unrolled import check_unrolled, of_source, unrolled_first
@@ -81,19 +82,23 @@ def _has_long_line(text: bytes) -> bool:
 
 
 class _Lines:
-    """Lines of a file as latin-1 text, many at once, so that every byte comes back as it was; counts them."""
+    """Lines of a file as latin-1 text, many at once, so that every byte comes back as it was; counts them. empty:
+    whether there is no block among them.
+    """
 
     def __init__(self, file: BinaryIO, faults: FaultLog, progress: Callable[[int], None] | None) -> None:
         self._file = file
         self._faults = faults
         self._progress = progress
-        self.count = 0
+        self.count, self.empty = 0, True
 
     def __iter__(self) -> Iterator[str]:
         while text := self._file.read(_AT_ONCE):
             if not text.endswith(b"\n"):
                 text += self._file.readline(LONGEST_LINE + 1)
             before = self.count
+            decoded = text.decode("latin-1")
+            self.empty = self.empty and is_empty(decoded)
             if b"\0" in text:
                 self._faults.add(before + text[: text.index(b"\0")].count(b"\n") + 1, "a byte of zero: no text file")
                 return
@@ -102,7 +107,7 @@ class _Lines:
             self.count += text.count(b"\n") + (not text.endswith(b"\n"))
             if self._progress is not None and self.count // 65536 > before // 65536:
                 self._progress(self.count)
-            yield text.decode("latin-1")
+            yield decoded
 
     def _too_long(self, text: bytes) -> bool:
         """Whether a line is no line of a program; a fault then."""
@@ -225,7 +230,9 @@ def compensated(
                 written.write(piece.encode("latin-1"))
                 blocks_out += piece.count("\n")
                 ends_whole = piece.endswith("\n")
-    faults.raise_if_any(overview(faults, model, said, seen))
+    if lines.empty:
+        faults.add(0, *NO_BLOCK)
+    faults.raise_if_any(overview(faults, model, said, seen, head_of(program)))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:
         report = of_source(report, program, vouched)

@@ -165,12 +165,13 @@ class FaultLog:
 
     def raise_if_any(self, first: Sequence[Fault] = ()) -> None:
         """Raise InputError with the kept faults in the order of lines, and the number of all if there are more; first:
-        what is said before them.
+        what is said before them, and a few of them make room for.
         """
         if not self.count:
             return
-        by_line = sorted(self.kept, key=lambda entry: entry[0])
+        shown = KEPT - len(first) if self.count > KEPT else KEPT
+        by_line = sorted(self.kept, key=lambda entry: entry[0])[:shown]
         found = [*first, *self.undotted.faults(self.file), *(fault for _, fault in by_line)]
         if self.count > KEPT:
-            found.append(Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown"))
+            found.append(Fault(self.file, "", f"{self.count} faults in all; the first {shown} are shown"))
         raise InputError(found)

@@ -3,8 +3,10 @@
 from collections.abc import Iterator
 
 from trueaxis.compensation.dialects import NAMES
+from trueaxis.compensation.foreign import looks_like
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel
+from trueaxis.compensation.nc.mistyped import COMMA, LETTER
 from trueaxis.compensation.settings import Dialect
 from trueaxis.io.faults import Fault
 
@@ -12,11 +14,15 @@ FEW = 3  # faults that are read one by one
 _UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
 
 
-def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Dialect | None) -> list[Fault]:
-    """What explains the faults. said: the control that the user names; seen: the one whose language it looks like."""
+def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Dialect | None, head: str) -> list[Fault]:
+    """What explains the faults. said: the control that the user names; seen: the one whose language it looks like;
+    head: how the file begins.
+    """
     if not faults.count:
         return []
-    found = []
+    if (foreign := looks_like(head)) is not None:
+        return [Fault(faults.file, "", *foreign)]
+    found = [*_mistyped(faults)]
     if said is not None and seen is not None and seen != said:
         found.append(Fault(faults.file, "", f"looks like a program for {NAMES[seen]}", f"--dialect {seen}"))
     elif faults.macros > FEW and said in _UNROLLABLE:
@@ -25,6 +31,15 @@ def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Di
                   "--via-linuxcnc has LinuxCNC's interpreter unroll them")
         )  # fmt: skip
     return [*found, *_travel(faults, model)]
+
+
+def _mistyped(faults: FaultLog) -> Iterator[Fault]:
+    """Numbers that are mistyped throughout: by the settings of what wrote the program."""
+    for what, remedy in ((COMMA, "numbers with a decimal point throughout"), (LETTER, "the digit 0 in each")):
+        some = [fault for _, fault in faults.kept if what in fault.problem]
+        if len(some) > FEW:
+            first = some[0].problem.partition(": ")[2]
+            yield Fault(faults.file, "", f"{len(some)} or more numbers are mistyped; the first: {first}", remedy)
 
 
 def _travel(faults: FaultLog, model: ErrorModel) -> Iterator[Fault]:

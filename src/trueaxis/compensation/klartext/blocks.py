@@ -8,7 +8,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from trueaxis.compensation.nc import g_codes as codes
-from trueaxis.compensation.nc.lexer import NUMBER, decimal_comma, decimals_of
+from trueaxis.compensation.nc.lexer import NUMBER, decimals_of
+from trueaxis.compensation.nc.mistyped import mistyped
 
 _HEAD = re.compile(r"([ \t]*+(?:\d++[ \t]++)?)(/?)[ \t]*+")
 _VERB = re.compile(r"(LP|LN|LT|L|CC|CP|CR|CTP|CT|C)(?=[ \t]|$|[XYZ][-+.0-9])", re.IGNORECASE)
@@ -115,7 +116,7 @@ def lex_klartext(body: str) -> KlartextBlock:
             retracts = True
             others.append(found[0])
         else:
-            problem = decimal_comma(text, place)
+            problem = mistyped(text, place)
             problem = problem or f"{text[place : place + 20].strip()!r} is no word whose value is in the program"
             break
         place = found.end()

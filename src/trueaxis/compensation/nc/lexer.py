@@ -10,6 +10,7 @@ from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.canned_cycle import DrillingCall
 from trueaxis.compensation.nc.g_codes import EXACT_STOP
+from trueaxis.compensation.nc.mistyped import mistyped
 from trueaxis.compensation.settings import LEAST_DEG, LEAST_INCH, LEAST_MM
 
 # possessive quantifiers: no backtracking, so a hostile block costs linear time; none of groups, which Python before
@@ -21,7 +22,6 @@ LARGEST = 1e9  # of a word's number: what is more is no machine's
 # LinuxCNC runs such a comment as Python, which may do anything
 _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
 _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
-_COMMA = re.compile(r"\d,\d")
 _CORNER = re.compile(r",[ \t]*+[RC]", re.IGNORECASE)
 _NAME = re.compile(r"[A-Za-z_]{2}\w*+:?")
 
@@ -58,8 +58,12 @@ def lex(body: str, begin: int = 0) -> Block:
     while place < len(body):
         token = _TOKEN.match(body, place)
         if token is None:
-            return Block(tuple(words), _complaint(body, place), _is_macro(body, place))
+            wrong = mistyped(body, place)
+            problem = f"column {place + 1}: {wrong or _wrong(body, place)}"
+            return Block(tuple(words), problem, not wrong and _is_macro(body, place))
         if token[2]:
+            if token[2] in "Oo" and words and words[-1].end == place and (wrong := mistyped(body, place)):
+                return Block(tuple(words), f"column {place + 1}: {wrong}")
             if abs(value := float(token[3])) > LARGEST:
                 return Block(tuple(words), beyond(token[2], token[3]))
             words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))
@@ -79,11 +83,6 @@ def decimals_of(number: str) -> int | None:
     return len(number.partition(".")[2]) if "." in number else None
 
 
-def decimal_comma(body: str, place: int) -> str:
-    """What is wrong where a number has a decimal comma there; empty if it has none."""
-    return "a number with a decimal comma: write a decimal point" if _COMMA.match(body, max(place - 1, 0)) else ""
-
-
 def active_comment(text: str, after_words: bool) -> str:
     """Why a comment could do more than comment; empty if it cannot."""
     if _PYTHON.match(text):
@@ -95,10 +94,6 @@ def active_comment(text: str, after_words: bool) -> str:
 
 def _is_macro(body: str, place: int) -> bool:
     return body[place] != "(" and bool(_MACRO.search(body, place))
-
-
-def _complaint(body: str, place: int) -> str:
-    return f"column {place + 1}: {decimal_comma(body, place) or _wrong(body, place)}"
 
 
 def _wrong(body: str, place: int) -> str:

@@ -171,7 +171,8 @@ class NcReader:
         if self._settings.dialect == "heidenhain":
             take_codes(number, meaning.miscellaneous, meaning.positions, state, self._faults)
         self._tools.change(number, meaning)
-        self._modes.known_numbers(number, meaning)
+        if not block.problem:
+            self._modes.known_numbers(number, meaning)
         self._tools.length(number, meaning)
         state.due = self._tools.due
         items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)

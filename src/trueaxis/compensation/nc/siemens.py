@@ -21,9 +21,9 @@ from trueaxis.compensation.nc.lexer import (
     Meaning,
     Word,
     beyond,
-    decimal_comma,
     decimals_of,
 )
+from trueaxis.compensation.nc.mistyped import mistyped
 from trueaxis.compensation.nc.rotary_ways import WAYS, problems_of
 
 _BLANK = re.compile(r"[ \t]++")
@@ -102,12 +102,9 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = found.end()
         elif (spindle := _SPINDLE.match(body, place)) and (body[place] in "Ss" or spindle[1] in _SPINDLE_CODES):
             place = spindle.end()
-        elif (statement := _STATEMENT.match(body, place)) or not (keyword := _KEYWORD.match(body, place)):
-            what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
-            what = what or "is no word whose value is in the program: write the number itself"
-            comma = decimal_comma(body, place)
-            problem = f"column {place + 1}: {comma or f'{body[place : place + 20]!r} {what}'}"
-        else:
+        elif wrong := _no_word(body, place):
+            problem = f"column {place + 1}: {wrong}"
+        elif keyword := _KEYWORD.match(body, place):
             name, arguments = keyword[0].upper(), _ARGUMENTS.match(body, keyword.end())
             functions.append(Function(name, arguments[0].strip() if arguments else None))
             place = arguments.end() if arguments else keyword.end()
@@ -121,6 +118,17 @@ def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
     """
     patterns = (_BLANK, _COMMENT, _ADIS, _SPINDLE_TURNS, *([_DEFINITION] if first else []))
     return next((match for pattern in patterns if (match := pattern.match(body, place))), None)
+
+
+def _no_word(body: str, place: int) -> str:
+    """What is wrong with what stands there; empty where it is a keyword."""
+    if wrong := mistyped(body, place):
+        return wrong
+    statement = _STATEMENT.match(body, place)
+    if statement is None and _KEYWORD.match(body, place):
+        return ""
+    what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
+    return f"{body[place : place + 20]!r} {what or 'is no word whose value is in the program: write the number itself'}"
 
 
 def _call(body: str, place: int) -> tuple[Function, int] | None:
