@@ -300,3 +300,13 @@ def test_a_number_of_no_machine_is_a_fault(tmp_path: Path, block: str) -> None:
     source.write_text(f"0 BEGIN PGM A MM\n{block.format('9' * 5000)}\n9 END PGM A MM\n")
     with pytest.raises(InputError, match="no machine's number"):
         compensate_file(source, tmp_path / "out.h", MACHINE, Settings(dialect="heidenhain"))
+
+
+def test_a_call_of_the_tool_in_the_spindle_changes_no_tool(tmp_path: Path) -> None:
+    """With another speed it was taken for a change, behind which no axis got a word."""
+    moves = "L X+10 Y+10 Z+50 FMAX\nTOOL CALL 5 Z S500\nL X+20 FMAX\nL Z+5 F100\nEND PGM T MM\n"
+    for first, waits in ((5, 0), (1, 2)):
+        (tmp_path / "in.h").write_text(f"BEGIN PGM T MM\nTOOL CALL {first} Z S3000\n{moves}")
+        given = Settings(offsets=OFFSETS, tools=TOOLS)
+        report = compensate_file(tmp_path / "in.h", tmp_path / "out.h", MACHINE, given)
+        assert report.uncommanded.points == waits

@@ -7,11 +7,13 @@ import pytest
 from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench
 from tests.compensation.five_axes import TEXTS, FiveAxes
+from tests.machines import machine_of, serial_text
 from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import Tool, ToolTable
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.reporting.compensation import offset_text
+from trueaxis.reporting.compensation_checks import tool_frame_sentences
 
 G54 = Offsets({"G54": dict.fromkeys("XYZ", (100.0, 100.0))})
 
@@ -147,3 +149,32 @@ def test_lengths_of_vectors_are_named_so(bench: Bench) -> None:
     bench.run("G21 G90 G54\nG0 X1. Y1. Z1.\n", paper_sized(3.0), offsets=G54)
     assert "um for Z (length of the vector)" in bench.told
     assert "(deg)" not in offset_text(bench.report.offsets[0])
+
+
+@pytest.mark.parametrize(("dialect", "said"), [(None, "G54.1 P2 for a further work offset"), ("fanuc", "G54.1 P2")])
+def test_a_number_beside_g54_names_what_takes_one(bench: Bench, dialect: Any, said: str) -> None:
+    (fault,) = faults_of(bench, "G21 G90 G54 P2\nG0 X1. Y1. Z1.\n", offsets=G54, dialect=dialect)
+    assert fault.problem.startswith("P2 has no code here")
+    assert said in fault.remedy
+    (fault,) = faults_of(bench, "G21 G90\nG0 X1. Y1. Z1. Q2\n", offsets=G54, dialect=dialect)
+    assert not fault.remedy
+
+
+def test_a_pole_of_sinumerik_is_no_offset_of_haas(bench: Bench) -> None:
+    (fault,) = faults_of(bench, "G71 G90\nG0 X1 Y1 Z1\nG111 X5 Y5\n", dialect="siemens")
+    assert str(fault).startswith("in.nc: line 3: G111 sets the pole of polar positions (SINUMERIK)")
+    assert "Haas" in str(faults_of(bench, "G21 G90\nG0 X1. Y1. Z1.\nG111\n")[0])
+
+
+def test_lines_are_said_to_be_those_of_the_file(bench: Bench) -> None:
+    bench.run("G21 G90\nN70 G0 X1. Y1. Z1.\nN80 X2.\n")
+    assert bench.told.splitlines()[2].endswith("largest  at line of file")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "said"), [({}, ""), ({"q_Tz": -100.0}, "at 0, 0, -100 (q_Tx, q_Ty, q_Tz) of the body")]
+)
+def test_from_where_lengths_of_tools_count(parameters: dict[str, float], said: str) -> None:
+    found = tool_frame_sentences(machine_of(serial_text("X", "YZ")), parameters)
+    assert len(found) == bool(said)
+    assert not said or said in found[0]

@@ -187,6 +187,9 @@ def test_the_tool_in_the_spindle_is_one_of_those_given(bench: Bench) -> None:
     for kwargs in ({"spindle_tool": 9, "tools": TABLE}, {"spindle_tool": 1}):
         with pytest.raises(ValueError, match=r"tool \d is in the spindle .*not (in|known: say) --tools"):
             bench.run("G21 G90\nG0 X1.\n", paper_sized(), **kwargs)
+    with pytest.raises(InputError) as caught:  # it was told alone, before the faults of the program
+        bench.run("G21 G90 G55\nG0 X1.\n", paper_sized(), spindle_tool=9, tools=TABLE)
+    assert [fault.file for fault in caught.value.faults] == ["--spindle-tool", "in.nc"]
     bench.run("G21 G90\nG0 X1.\n", paper_sized(), spindle_tool=0)
 
 

@@ -205,16 +205,18 @@ def compensated(
     settings = _fitting(settings, model, language)
     faults, notes, vouched = FaultLog(file=name), Notes(), settings.pass_m
     made: Unrolled | None = None
+    faults.add_option("--spindle-tool", settings.unknown_tool)
     if via_linuxcnc is not None:
+        faults.raise_if_any()  # LinuxCNC is given the tool
         check_unrolled(settings, language, model)
         made, settings = unrolled_first(program, model, settings, via_linuxcnc, name, notes)
-    said = settings.dialect
-    seen = dialect_of(head_of(program), said, program.suffix) if language == "nc" else None
+    said, head = settings.dialect, head_of(program)
+    seen = dialect_of(head, said, program.suffix) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))
         settings = replace(settings, dialect=seen)
     compensator = Compensator(model, settings, faults, notes, changes)
-    klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
+    klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head)
     read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
     reader = read_by(model.axes, settings, faults, notes)
     if made is not None:
@@ -228,11 +230,10 @@ def compensated(
         for piece in numbered(pieces) if klartext else pieces:
             if piece and not faults.count:
                 written.write(piece.encode("latin-1"))
-                blocks_out += piece.count("\n")
-                ends_whole = piece.endswith("\n")
+                blocks_out, ends_whole = blocks_out + piece.count("\n"), piece.endswith("\n")
     if lines.empty:
         faults.add(0, *NO_BLOCK)
-    faults.raise_if_any(overview(faults, model, said, seen, head_of(program)))
+    faults.raise_if_any(overview(faults, model, said, seen, head))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:
         report = of_source(report, program, vouched)

@@ -24,6 +24,7 @@ _FEWEST_LINES = 2
 _SHARE = (
     0.25  # of lines that may be blocks: the programs of tests.shop_programs have 0.44 and more, texts and sources less
 )
+_SHARE_OF_BYTES = 0.5  # the same where there are bytes that no text has
 _LINES = 200
 _NOTHING = re.compile(r"(?:[\s\x1a\xef\xbb\xbf]|\([^()\r\n]*+\)|;[^\r\n]*+|\$\$[^\r\n]*+|%[^\r\n]*+)*")
 NO_BLOCK = ("holds no block: it is empty, or comments alone", "the program as it was written: a copy may have failed")
@@ -42,7 +43,7 @@ def looks_like(head: str) -> tuple[str, str] | None:
         return "its lines end with CR alone, which this reads as one line", "line ends LF or CR LF"
     lines = [line for line in head.splitlines()[:_LINES] if line.strip()]
     blocks = sum(bool(_BLOCK.search(line)) for line in lines)
-    if "\0" in head and blocks < len(lines):
+    if "\0" in head and blocks < _SHARE_OF_BYTES * len(lines):
         return "looks like no NC program: it holds bytes of zero, and no text does", _PROGRAM
     if len(lines) >= _FEWEST_LINES and blocks < _SHARE * len(lines):
         return f"looks like no NC program: {blocks} of its first {len(lines)} lines may be blocks", _PROGRAM

@@ -149,6 +149,12 @@ class FaultLog:
         if self.count <= KEPT:
             self.kept.append((line, Fault(self.file, f"line {line}" if line else "", problem, remedy)))
 
+    def add_option(self, option: str, problem: str) -> None:
+        """Note a fault of an option, if there is a problem, beside those of the program."""
+        if problem:
+            self.count += 1
+            self.kept.append((0, Fault(option, "", problem)))
+
     def add_unplaced(self, line: int, problem: str, remedy: str) -> None:
         """Note a fault from which on positions are not known: what they would be is no fault of its own."""
         self.add(line, problem, remedy)

@@ -95,7 +95,7 @@ class Settings:
     batch_points: int = 16384
 
     def __post_init__(self) -> None:
-        if problems := [*self._problems(), *self._unknown_tool()]:
+        if problems := [*self._problems()]:
             raise ValueError("; ".join(problems))
 
     @property
@@ -122,11 +122,13 @@ class Settings:
             return self.inch_resolution
         return LEAST_INCH if self.dialect == "fanuc" else FINE_INCH
 
-    def _unknown_tool(self) -> Iterator[str]:
-        """The tool in the spindle where it is none of those that are given."""
-        if self.spindle_tool and (self.tools is None or self.spindle_tool not in self.tools.tools):
-            problem = "not in --tools" if self.tools else "not known: say --tools FILE"
-            yield f"tool {self.spindle_tool} is in the spindle (--spindle-tool), and is {problem}"
+    @property
+    def unknown_tool(self) -> str:
+        """What is wrong where the tool in the spindle is none of those that are given; empty where it is one."""
+        if not self.spindle_tool or (self.tools is not None and self.spindle_tool in self.tools.tools):
+            return ""
+        problem = "not in --tools" if self.tools else "not known: say --tools FILE"
+        return f"tool {self.spindle_tool} is in the spindle before the program, and is {problem}"
 
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""

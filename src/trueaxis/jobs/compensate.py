@@ -41,6 +41,7 @@ from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.monte_carlo.settings import Draws
 from trueaxis.reporting.compensation import compensation_text
+from trueaxis.reporting.compensation_checks import tool_frame_sentences
 from trueaxis.reporting.reliance import (
     draw_sentences,
     error_free_sentences,
@@ -203,6 +204,8 @@ def of_machine(settings: Settings, model: MachineModel) -> Settings:
 def notes_of(report: CompensationReport, model: MachineModel) -> tuple[str, ...]:
     """How far the program may be relied on, in sentences."""
     found = error_free_sentences(model.error_free)
+    if report.tools:
+        found += tool_frame_sentences(model.machine, model.errors.parameters)
     if report.reliance is not None:
         found += program_sentences(report.reliance)
         found += prior_sentences(model.errors, report.reliance.uncertainty.components)

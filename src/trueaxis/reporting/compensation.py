@@ -104,7 +104,10 @@ def _inch_words(report: CompensationReport) -> list[str]:
 
 def _errors(report: CompensationReport) -> list[str]:
     """The tables of errors."""
-    lines = [f"{'error of the tool point (um)':34s}{'mean':>10s}{'sd':>10s}{'largest':>10s}  at line", *_rows(report)]
+    lines = [
+        f"{'error of the tool point (um)':34s}{'mean':>10s}{'sd':>10s}{'largest':>10s}  at line of file",
+        *_rows(report),
+    ]
     if report.ball is not None:
         lines += ["|E| along the ball bar, Eq. (6) (um)", *_rows(report.ball)]
     if report.orientation is not None:

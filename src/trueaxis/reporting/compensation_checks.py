@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from trueaxis.compensation.sign_check import KinematicsCheck, Senses, SignCheck
+from trueaxis.machine.machine import Machine
 
 _SHOWN = 0.00005  # mm, half of the last decimal that is shown
 
@@ -54,6 +55,23 @@ def senses_text(senses: Senses) -> str:
         f"the model takes it that {at}{', '.join(parts)}. "
         "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
     )
+
+
+def tool_frame_sentences(machine: Machine, parameters: Mapping[str, float]) -> list[str]:
+    """From where lengths of tools count, where the spec puts the tool frame elsewhere than the spindle's body has its
+    own.
+    """
+    body = machine.body(machine.tool)
+    values = [parameters.get(part, 0.0) if isinstance(part, str) else part for part in body.position]
+    if not any(values):
+        return []
+    names = [part for part in body.position if isinstance(part, str)]
+    named = f" ({', '.join(names)})" if names else ""
+    return [
+        f"the spec puts the tool frame at {', '.join(f'{value:.9g}' for value in values)}{named} of the body that "
+        "carries it, and lengths of --tools count from there: if that is the length of a tool, and not where the "
+        "spindle ends, it counts twice"
+    ]
 
 
 def position_text(at: Mapping[str, float]) -> str:

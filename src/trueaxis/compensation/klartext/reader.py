@@ -29,10 +29,8 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ROTARY
 from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
-from trueaxis.compensation.nc import g_codes as codes
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.frame_codes import FrameReader
-from trueaxis.compensation.nc.lexer import Meaning
 from trueaxis.compensation.nc.modes import note_unfed, switch
 from trueaxis.compensation.nc.motion import in_its_frame
 from trueaxis.compensation.nc.rotary_ways import take_codes, turned_round
@@ -177,9 +175,7 @@ class KlartextReader:
             self._faults.add(number, problem, remedy)
         tool = self._tools.number_of(number, call.name) if call.name else call.tool
         if tool is not None:
-            self._tools.change(number, Meaning(tool=f"T{tool}"))
-            code = codes.TAKE_LENGTH if tool else codes.END_LENGTH
-            self._tools.length(number, Meaning(length_code=code, length_of=tool))
+            self._tools.call(number, tool)
         return [text, *self._frames.changed()]
 
     def _path(self, number: int, text: str, block: KlartextBlock) -> list[Item]:

@@ -189,7 +189,8 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
             f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.WITHOUT_IT
         )
     elif letter in _PARAMETERS and not _takes(letter, meaning):
-        meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
+        further = f"G54.1 P{word.value:g} for a further work offset" if letter + meaning.system == "PG54" else ""
+        meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to", further)
     elif letter not in _HARMLESS and letter not in "KR":
         meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
     if letter == "Q" and meaning.drilling:

@@ -38,6 +38,7 @@ OTHERWISE_ON: dict[str, dict[int, str]] = {
         430: "is not SINUMERIK's", 431: "is not SINUMERIK's", 100: "is a polar motion (SINUMERIK)",
         **dict.fromkeys((280, 300, *CYCLES), "is not SINUMERIK's"),
         520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
+        **dict.fromkeys((1100, 1110, 1120), "sets the pole of polar positions (SINUMERIK)"),
         740: "moves to the reference point (SINUMERIK)", 750: "moves to a fixed point (SINUMERIK)",
     },
     "heidenhain": {
@@ -110,7 +111,8 @@ _PATTERN = Refused("is a hole pattern or a thread: its motions are not in the pr
 _HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
 _STORED = Refused("stores where the axes stand as a reference point", "take it out, and state the point in the spec")
 _HAAS = Refused(
-    "selects a work offset (Haas) or sets a pole (Siemens)", "write G54 to G59 or G54.1 P, and say --offset"
+    "selects a further work offset (Haas) or sets the pole of polar positions (SINUMERIK)",
+    "write G54 to G59 or G54.1 P, and say --offset",
 )
 _CURVE = Refused("is a curve that is not followed", _MOTIONS)
 _PROBE = Refused("probes: where the axes stop is not in the program", "take it out before compensating")

@@ -167,6 +167,15 @@ class ToolReader:
                 lengths = self._lengths(number, self._tool(number, self._selected))
                 self._set(number, meaning, lengths, self._selected)
 
+    def call(self, number: int, tool: int) -> None:
+        """TOOL CALL of Klartext: the tool comes with its length. A call of the one in the spindle changes its speed or
+        feed alone.
+        """
+        if tool != self._state.tool:
+            self.change(number, Meaning(tool=f"T{tool}"))
+        code = codes.TAKE_LENGTH if tool else codes.END_LENGTH
+        self.length(number, Meaning(length_code=code, length_of=tool))
+
     def length(self, number: int, meaning: Meaning) -> None:
         """Take in G43 and G49; note a motion with the length of the tool before the one in the spindle.
 
