@@ -155,7 +155,7 @@ def test_without_a_call_nothing_is_drilled(tmp_path: Path) -> None:
         ),
         (
             CYCLE.format(peck=9, second=9) + "CYCL DEF 207 TAPPING~\n Q200=2\nCYCL CALL M3",
-            "CYCL DEF 207 is called, whose",
+            "CYCL DEF 207 is called, which taps: its motions go with the spindle",
         ),
         (OLDER.format(depth="Q5") + "CYCL CALL", "CYCL DEF 1 is called without its five values"),
         (OLDER.format(depth="-5") + "CYCL CALL", "CYCL DEF 1 is called without its five values"),

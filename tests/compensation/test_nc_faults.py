@@ -148,7 +148,7 @@ def test_an_axis_that_the_start_names_must_exist(bench: Bench) -> None:
         ("G60", r"stops exactly \(Siemens\)"),
         ("G30", r"defines the blank \(Heidenhain\)"),
         ("G15", "G15 ends polar coordinates .*--dialect fanuc"),
-        ("G84 Z-1.", "G84 is a canned cycle.*; else have its motions written out"),
+        ("G84 Z-1.", "G84 is a canned cycle.*; say --dialect fanuc if it is one; else tap in a program of its own"),
         ("G81 Z-1.", "G81 without Z and R"),
     ],
 )

@@ -210,7 +210,7 @@ HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
         ("CYCLE83(10,0,2,-20,,-5,,,,,1,1,,,,,,,10,11)", "CYCLE83 with a mode"),
         ("CYCLE83(10,0,2,-20,,-5,,,0.5,,1,1,,,,,,,10,20)", "CYCLE83 with a mode"),  # dwells in turns of the spindle
         ("CYCLE83(10,0,2,-20,,-5,,2,,,1,1,,,,,,,10,1001110)", "CYCLE83 with a mode"),  # whether _DAM is a share
-        ("CYCLE84(10,0,2,-20)", "CYCLE84 is a cycle or a subprogram"),
+        ("CYCLE84(10,0,2,-20)", "CYCLE84 taps: its motions go with the spindle"),
         ("MCALL CYCLE81(10,0,2,-20) X5", "beside other words"),
         ("MCALL CYCLE81(10,0,2,-20)\nSUPA G0 X5", "machine coordinates, or the end"),
         ("G93 G1 X1 F9\nCYCLE81(10,0,2,-20)", "a cycle under G93"),

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from trueaxis.compensation.klartext.blocks import head_of
 from trueaxis.compensation.nc.cycle_blocks import MOST_PECKS
+from trueaxis.compensation.nc.g_codes import TAP_APART
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER
 
 _DEFINITION = re.compile(r"CYCLE?[ \t]+DEF[ \t]+(\d+)(?:\.\d+)?", re.IGNORECASE)
@@ -88,11 +89,17 @@ class Drilling(NamedTuple):
         yield self.bottom
 
 
+_TAPPING = frozenset({2, 17, 18, 206, 207, 209})
+
+
 class NotFollowed(NamedTuple):
-    """A cycle that is defined and may not be called: what of it is not followed. given: of CYCL DEF 1, by number."""
+    """A cycle that is defined and may not be called: what of it is not followed, and what would be right. given: of
+    CYCL DEF 1, by number.
+    """
 
     problem: str
     given: tuple[tuple[int, float], ...] = ()
+    remedy: str = PLAIN_CYCLES
 
 
 def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotFollowed | None:
@@ -104,6 +111,8 @@ def defined(text: str, before: Drilling | NotFollowed | None) -> Drilling | NotF
     number, name = int(definition[1]), f"CYCL DEF {definition[1]}"
     if number == PECKING:
         return _pecking(plain, before)
+    if number in _TAPPING:
+        return NotFollowed(f"{name} is called, which taps: its motions go with the spindle", remedy=TAP_APART)
     if number not in _PARTS:
         return NotFollowed(f"{name} is called, whose motions are not followed")
     values = {int(q): value for q, value in _VALUE.findall(plain)}

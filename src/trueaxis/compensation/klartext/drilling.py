@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from trueaxis.compensation.klartext.blocks import KlartextBlock
-from trueaxis.compensation.klartext.cycles import PECKING, PLAIN_CYCLES, SAME, Call, Drilling, NotFollowed
+from trueaxis.compensation.klartext.cycles import PECKING, SAME, Call, Drilling, NotFollowed
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Split
 from trueaxis.compensation.nc.state import Commanded, NcState
@@ -44,7 +44,7 @@ class ModalFeed:
 def problem_of(call: Call, cycle: Drilling | NotFollowed, due: bool, state: NcState) -> tuple[str, str] | None:
     """What is wrong with a call; due: whether its block has / or a code due at its end."""
     if isinstance(cycle, NotFollowed):
-        return cycle.problem, PLAIN_CYCLES
+        return cycle.problem, cycle.remedy
     if due:
         return "a call of a cycle in a block with / or a code due at its end", "two blocks"
     if call.problem:

@@ -107,6 +107,8 @@ _RADIUS = Refused(
     "have the path of the cutter's centre written, or, on LinuxCNC, --via-linuxcnc with --tools",
 )
 _CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIONS)
+TAP_APART = "tap in a program of its own, which is run as it is: G0 and G1 would not turn with the spindle"
+_TAPPING = Refused("is a canned cycle for tapping: its motions go with the spindle", TAP_APART)
 _PATTERN = Refused("is a hole pattern or a thread: its motions are not in the program", _MOTIONS)
 _HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
 _STORED = Refused("stores where the axes stand as a reference point", "take it out, and state the point in the spec")
@@ -159,8 +161,8 @@ FAULTY: dict[int, Refused] = {
     710: Refused("reads millimetres (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)",
                  "leave it out where it says millimetres, or write G21"),
     720: Refused("is a canned cycle (Fanuc) or scales (Heidenhain)", _MOTIONS),
-    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 84, 87, 88)},
-    841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
+    **{10 * code: _CYCLE for code in (75, 76, 77, 78, 79, 87, 88)},
+    740: _TAPPING, 840: _TAPPING, 841: _CYCLE, 842: _TAPPING, 843: _TAPPING, 882: _CYCLE,
     901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
     SURFACE_SPEED: Refused("couples the spindle to an axis position, and may count F by revolutions (Siemens)",
                  "write G97 with a speed"),

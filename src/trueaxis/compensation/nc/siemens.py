@@ -156,6 +156,7 @@ _SHIFTS = {"TRANS": codes.SHIFT_TO, "ATRANS": codes.SHIFT_BY}
 _FRAMES = {"ROT": "turns", "AROT": "turns", "ROTS": "turns", "AROTS": "turns", "SCALE": "scales", "ASCALE": "scales",
            "MIRROR": "mirrors", "AMIRROR": "mirrors"}  # fmt: skip
 _MACHINE = frozenset({"SUPA"})
+_TAPPING = ("CYCLE84", "CYCLE840")
 _FAULTY = {
     "CIP": "is an arc through a middle point", "CT": "is a tangential arc", "INVCW": "is an involute",
     "INVCCW": "is an involute", "ASPLINE": "is a spline", "BSPLINE": "is a spline", "CSPLINE": "is a spline",
@@ -170,6 +171,7 @@ _FAULTY = {
     "GOTOC": "is a jump", "GOTOS": "is a jump", "DEF": "declares a variable", "PROC": "begins a subprogram",
     "EXTERN": "declares a subprogram", "CALL": "calls a subprogram", "MEAS": "probes", "MEAW": "probes",
     "POS": "moves an axis by itself", "POSA": "moves an axis by itself",
+    **dict.fromkeys(_TAPPING, "taps: its motions go with the spindle"),
 }  # fmt: skip
 # words by a name: what they do
 _ASSIGNED_WORDS = {
@@ -239,7 +241,8 @@ def _take(function: Function, meaning: Meaning) -> None:
     elif name == "CYCLE800" and arguments == "()":
         meaning.notes.append(END_OF_TILT)
     elif name in _FAULTY:
-        meaning.complain(f"{name} {_FAULTY[name]}", _RUN if name in _BRANCHES else _WRITTEN_OUT)
+        remedy = _RUN if name in _BRANCHES else codes.TAP_APART if name in _TAPPING else _WRITTEN_OUT
+        meaning.complain(f"{name} {_FAULTY[name]}", remedy)
     elif _SUBPROGRAM.fullmatch(name):
         meaning.complain(f"{name} calls a subprogram, which is not followed", m_codes.IN_PLACE)
     elif name in ("TRAORI", "TRAFOOF"):
