@@ -40,7 +40,7 @@ def faults_of(bench: Bench, program: str | bytes, **settings: Any) -> tuple[Faul
 )
 def test_a_file_that_is_no_program_is_told_first(bench: Bench, content: str | bytes, what: str) -> None:
     first = str(faults_of(bench, content)[0])
-    assert first.startswith("in.nc: looks like no NC program: ")
+    assert first.startswith("in.nc: line 1: looks like no NC program: ")
     assert what in first
     assert first.endswith("; the program that a CAM system or the control wrote")
 
@@ -53,14 +53,14 @@ def test_a_file_that_is_no_program_is_told_first(bench: Bench, content: str | by
     ],
 )
 def test_a_program_that_was_saved_otherwise(bench: Bench, content: str | bytes, what: str) -> None:
-    assert str(faults_of(bench, content)[0]) == f"in.nc: {what}"
+    assert str(faults_of(bench, content)[0]) == f"in.nc: line 1: {what}"
 
 
 @pytest.mark.parametrize("content", ["", "\n\n  \n", "(only)\n; comments\n", "%\n%\n", "\xef\xbb\xbf(x)\n", "%\r\n"])
 def test_a_file_without_a_block_is_a_fault(bench: Bench, content: str) -> None:
     """It wrote an output."""
     (fault,) = faults_of(bench, content)
-    assert str(fault).startswith("in.nc: holds no block: it is empty, or comments alone; ")
+    assert str(fault).startswith("in.nc: line 1: holds no block: it is empty, or comments alone; ")
     bench.run(f"{content}\nM30\n")  # which is one
 
 
@@ -72,6 +72,8 @@ def test_a_file_without_a_block_is_a_fault(bench: Bench, content: str) -> None:
         "BEGIN PGM T MM\nL X+Q1 R0 FMAX\nCALL LBL 1\nEND PGM T MM\n",
         "DEF REAL A\nR1=3\nPOCKET3(1,2)\nG1 X=R1\n",
         "G21 G90 G41 D1\n",
+        "\0BEGIN PGM T MM\nL X+1 R0 FMAX\nEND PGM T MM\n",
+        "\0FROM/0,0,0\nFEDRAT/100\nRAPID\nGOTO/1,1,1\nFINI\n",
     ],
 )
 def test_a_program_with_faults_is_one(bench: Bench, program: str) -> None:
@@ -113,7 +115,7 @@ def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:
     blocks = "".join(f"G1 X{k},5 F100.\n" for k in range(9))
     found = faults_of(bench, f"G21 G90\nG0 X5 Y1. Z1.\n{blocks}M30\n")
     assert str(found[0]) == (
-        "in.nc: 9 or more numbers are mistyped; the first: X0,5 has a decimal comma: write a decimal point (X0.5); "
+        "in.nc: line 3: 9 or more numbers are mistyped; the first: X0,5 has a decimal comma: write a decimal point (X0.5); "
         "numbers with a decimal point throughout"
     )
 

@@ -232,7 +232,7 @@ def compensated(
                 written.write(piece.encode("latin-1"))
                 blocks_out, ends_whole = blocks_out + piece.count("\n"), piece.endswith("\n")
     if lines.empty:
-        faults.add(0, *NO_BLOCK)
+        faults.add(1, *NO_BLOCK)
     faults.raise_if_any(overview(faults, model, said, seen, head))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:

@@ -13,10 +13,10 @@ _BEGINNINGS = (
 _FOREIGN = [(re.compile(pattern, re.IGNORECASE | re.DOTALL), name) for pattern, name in _BEGINNINGS]
 _UTF_16 = ("\xff\xfe", "\xfe\xff")
 # what a block begins with or holds: a switch, a mark, a comment, a variable, a block number, an address and its number,
-# a keyword of SINUMERIK with its arguments, a path function of Klartext
+# a keyword with its arguments (SINUMERIK, APT), a path function of Klartext
 _BLOCK = re.compile(
     r"^\s*(?:[%(;/#:$]|\d+\s+(?:L|C|CC|CR|CP|CT|LP|TOOL|CYCL|BEGIN|END|BLK|M\d+|STOP|FN|Q\w?\d|\*|;|LBL)\b|"
-    r"(?-i:[A-Z_]+\d*\s*[(=])|(?:GOTO|FROM|FEDRAT|PARTNO)\b|N?\d*\s*O\s*<)|"
+    r"(?-i:[A-Z_]+\d*\s*[(=/])|(?:PARTNO|RAPID|FINI|(?:BEGIN|END) PGM|TOOL CALL|CYCL DEF|CALL LBL)\b|N?\d*\s*O\s*<)|"
     r"(?:^|[\s\d.*;/)])[A-Z]\s*[-+=]?\s*[-+]?(?:\.?\d|[#\[])",
     re.IGNORECASE,
 )

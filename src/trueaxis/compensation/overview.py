@@ -21,7 +21,7 @@ def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Di
     if not faults.count:
         return []
     if (foreign := looks_like(head)) is not None:
-        return [Fault(faults.file, "", *foreign)]
+        return [Fault(faults.file, "line 1", *foreign)]
     found = [*_mistyped(faults)]
     if said is not None and seen is not None and seen != said:
         found.append(Fault(faults.file, "", f"looks like a program for {NAMES[seen]}", f"--dialect {seen}"))
@@ -39,7 +39,9 @@ def _mistyped(faults: FaultLog) -> Iterator[Fault]:
         some = [fault for _, fault in faults.kept if what in fault.problem]
         if len(some) > FEW:
             first = some[0].problem.partition(": ")[2]
-            yield Fault(faults.file, "", f"{len(some)} or more numbers are mistyped; the first: {first}", remedy)
+            yield Fault(
+                faults.file, some[0].place, f"{len(some)} or more numbers are mistyped; the first: {first}", remedy
+            )
 
 
 def _travel(faults: FaultLog, model: ErrorModel) -> Iterator[Fault]:
