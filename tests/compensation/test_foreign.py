@@ -115,8 +115,8 @@ def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:
     blocks = "".join(f"G1 X{k},5 F100.\n" for k in range(9))
     found = faults_of(bench, f"G21 G90\nG0 X5 Y1. Z1.\n{blocks}M30\n")
     assert str(found[0]) == (
-        "in.nc: line 3: 9 or more numbers are mistyped; the first: X0,5 has a decimal comma: write a decimal point (X0.5); "
-        "numbers with a decimal point throughout"
+        "in.nc: line 3: 9 or more numbers are mistyped; the first: X0,5 has a decimal comma: write a decimal point "
+        "(X0.5); numbers with a decimal point throughout"
     )
 
 
