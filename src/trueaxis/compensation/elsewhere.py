@@ -14,7 +14,7 @@ from trueaxis.compensation.columns import columns_of
 from trueaxis.compensation.course import Placing, of_points
 from trueaxis.compensation.datum import Datum, Zero
 from trueaxis.compensation.logs import Running, Summary
-from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows
+from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensation.path import Held, Path, Places, alike
 from trueaxis.compensation.settings import Settings
 
@@ -237,14 +237,16 @@ def unplaced_change(model: ErrorModel, places: Sequence[tuple[FloatArray, FloatA
     low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
     lowest = np.min([positions.min(axis=1) for positions, _ in places], axis=0)
     highest = np.max([positions.max(axis=1) for positions, _ in places], axis=0)
+    shares = np.array(list(product(np.linspace(0.0, 1.0, _ZEROS), repeat=len(rows)))).T
+    zeros = np.zeros((low.size, shares.shape[1], 1))
+    zeros[rows, :, 0] = (low - lowest)[rows, None] + shares * ((high - low) - (highest - lowest))[rows, None]
     change = 0.0
-    for shares in product(np.linspace(0.0, 1.0, _ZEROS), repeat=len(rows)):
-        zero = np.zeros((low.size, 1))
-        zero[rows, 0] = (low - lowest)[rows] + np.array(shares) * ((high - low) - (highest - lowest))[rows]
-        for positions, tool_point in places:
-            few = positions[:, :: -(-positions.shape[1] // _POSITIONS)]
-            nowhere = np.zeros((len(LINEAR), 1))
-            change = max(change, float(_apart(model, few + zero, few, tool_point, nowhere).max(initial=0.0)))
+    for positions, tool_point in places:
+        few = positions[:, :: -(-positions.shape[1] // _POSITIONS)]
+        elsewhere = (few[:, np.newaxis] + zeros).reshape(low.size, -1)
+        taken = np.tile(_words(model, few, tool_point)[rows], shares.shape[1])
+        apart = np.sqrt(((_words(model, elsewhere, tool_point)[rows] - taken) ** 2).sum(axis=0))
+        change = max(change, float(apart.max()))
     return change
 
 
