@@ -60,6 +60,15 @@ def test_a_length_of_zero_is_missed_by_nobody(bench: Bench) -> None:
     assert not bench.report.warnings
 
 
+def test_lengths_in_the_words_of_an_unrolled_program_are_missed_by_nobody(bench: Bench) -> None:
+    unrolled = "G21 G90 G94 G17 G40 G49 G80\nG10 L2 P9 X0 Y0 Z0\nG59.3\nT1\nM6\nG0 X1. Y1. Z200.\nG1 X2. F100\nM2\n"
+    on_linuxcnc = FANUC | {"dialect": "linuxcnc", "offsets": Offsets()}
+    bench.run(unrolled, paper_sized(), judged=True, **on_linuxcnc)
+    assert not bench.report.warnings
+    bench.run(unrolled, paper_sized(), **on_linuxcnc)
+    assert WITHOUT in bench.report.warnings[0]
+
+
 SINUMERIK: dict[str, Any] = {"dialect": "siemens", "tools": TABLE, "offsets": KNOWN, "pass_m": (6,)}
 SHOP = "N10 G71 G90 G17 G54 G94\nT1 D1 M6\nG0 X10 Y10 Z50 S900 M3\nG1 Z0 F200\nG153 G0 Z499 D0\nD1\n"
 

@@ -113,6 +113,7 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_siemens = settings.dialect == "siemens"
         self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
+        self._in_words = settings.judged  # lengths are part of the words that an interpreter has made
         self._why_none = ""  # why no length is in force, where that is to be noted at the next motion
         self._not_yet_gone = False  # Z goes by a new length only with its next word (SINUMERIK)
         self._kept = m_codes.TOOL_CHANGE in settings.pass_m
@@ -218,7 +219,8 @@ class ToolReader:
         if self._changed and old and old != tool:
             self._notes.warn(number, OLD_LENGTH.format(tool, old))
         known = self._table.tools.get(tool) if self._table is not None and tool else None
-        if not old and (self._changed or self._why_none) and known is not None and known.shift[2]:
+        bare = not old and not self._in_words and (self._changed or bool(self._why_none))
+        if bare and known is not None and known.shift[2]:
             why = self._why_none or NONE_SINCE.format(self._length_word)
             self._notes.warn(number, UNMEASURED.format(tool, known.shift[2], why))
         self._changed, self._why_none = False, ""
