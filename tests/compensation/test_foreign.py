@@ -7,6 +7,7 @@ import pytest
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
+from trueaxis.compensation.overview import foreign_first
 from trueaxis.io.faults import Fault, InputError
 
 CSV = "x,y,z\n" + "".join(f"{k},{2 * k},0\n" for k in range(10))
@@ -123,3 +124,12 @@ def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:
 @pytest.mark.parametrize("block", ["GOTO 10", "N10 O100", "G65 P1 D1", "DO1"])
 def test_what_has_an_o_of_its_own_is_not_mistyped(bench: Bench, block: str) -> None:
     assert "letter O" not in "".join(map(str, faults_of(bench, f"G21 G90\nG0 X1. Y1. Z1.\n{block}\nM30\n")))
+
+
+def test_it_is_told_before_what_an_interpreter_says() -> None:
+    refused = Fault("in.nc", "line 1", "LinuxCNC refuses the program: Bad character '%' used")
+    for head, places in (("%PDF-1.4\n", 2), ("G0 X1\n", 1)):
+        with pytest.raises(InputError) as error, foreign_first("in.nc", head):
+            raise InputError([refused])
+        assert len(error.value.faults) == places
+        assert error.value.faults[-1] == refused

@@ -203,14 +203,14 @@ def compensated(
     name = name or str(program)
     language = language or language_of(program)
     settings = _fitting(settings, model, language)
-    faults, notes, vouched = FaultLog(file=name), Notes(), settings.pass_m
+    faults, notes, vouched, head = FaultLog(file=name), Notes(), settings.pass_m, head_of(program)
     made: Unrolled | None = None
     faults.add_option("--spindle-tool", settings.unknown_tool)
     if via_linuxcnc is not None:
         faults.raise_if_any()  # LinuxCNC is given the tool
         check_unrolled(settings, language, model)
         made, settings = unrolled_first(program, model, settings, via_linuxcnc, name, notes)
-    said, head = settings.dialect, head_of(program)
+    said = settings.dialect
     seen = dialect_of(head, said, program.suffix) if language == "nc" else None
     if said is None and seen is not None:
         notes.add(0, RECOGNISED.format(NAMES[seen]))

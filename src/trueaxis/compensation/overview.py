@@ -1,6 +1,7 @@
 """What is said before the faults of a program that has many: the one fact that explains them."""
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 
 from trueaxis.compensation.dialects import NAMES
 from trueaxis.compensation.foreign import looks_like
@@ -8,7 +9,7 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel
 from trueaxis.compensation.nc.mistyped import COMMA, LETTER
 from trueaxis.compensation.settings import Dialect
-from trueaxis.io.faults import Fault
+from trueaxis.io.faults import Fault, InputError
 
 FEW = 3  # faults that are read one by one
 _UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
@@ -31,6 +32,17 @@ def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Di
                   "--via-linuxcnc has LinuxCNC's interpreter unroll them")
         )  # fmt: skip
     return [*found, *_travel(faults, model)]
+
+
+@contextmanager
+def foreign_first(file: str, head: str) -> Iterator[None]:
+    """What the file looks like is said before the faults of an interpreter that was given it."""
+    try:
+        yield
+    except InputError as error:
+        if (foreign := looks_like(head)) is None:
+            raise
+        raise InputError([Fault(file, "line 1", *foreign), *error.faults]) from None
 
 
 def _mistyped(faults: FaultLog) -> Iterator[Fault]:

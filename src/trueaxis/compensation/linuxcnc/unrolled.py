@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.compensation.datum import Datum, datum_shift
+from trueaxis.compensation.dialects import head_of
 from trueaxis.compensation.linuxcnc.blocks import Unrolled
 from trueaxis.compensation.linuxcnc.interpreter import unroll
 from trueaxis.compensation.linuxcnc.modes import PASSED
@@ -18,6 +19,7 @@ from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.modes import EXACT_SINCE
 from trueaxis.compensation.nc.tool_codes import IN_SPINDLE
 from trueaxis.compensation.offsets import Offsets, middle
+from trueaxis.compensation.overview import foreign_first
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
@@ -57,10 +59,11 @@ def unrolled_first(
         if faults := offset_faults(program.read_bytes(), name):
             raise InputError(faults)
         offsets = _at_true_zeros(model, settings, notes)
-    made = unroll(
-        program, package, offsets, settings.tools, name, settings.block_delete, model.axes,
-        settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,
-    )  # fmt: skip
+    with foreign_first(name, head_of(program)):
+        made = unroll(
+            program, package, offsets, settings.tools, name, settings.block_delete, model.axes,
+            settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,
+        )  # fmt: skip
     notes.add(0, UNROLLED)
     if made.exact_since:
         notes.add(made.exact_since, EXACT_SINCE)
