@@ -14,9 +14,12 @@ def way(points: FloatArray) -> FloatArray:
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=1), axis=0))])
 
 
-def sampled(points: FloatArray, spacing: float) -> FloatArray:
-    """The same path with points no more than `spacing` apart; rows are coordinates, the first three of them lengths."""
-    count = np.maximum(np.ceil(np.linalg.norm(np.diff(points[:3], axis=1), axis=0) / spacing), 1.0).astype(int)
+def sampled(points: FloatArray, spacing: float, least: int = 1) -> FloatArray:
+    """The same path with points no more than `spacing` apart; rows are coordinates, the first three of them lengths.
+
+    least: parts of each motion; of several about one place `distances` then finds the right one.
+    """
+    count = np.maximum(np.ceil(np.linalg.norm(np.diff(points[:3], axis=1), axis=0) / spacing), least).astype(int)
     motion = np.repeat(np.arange(count.size), count)
     share = (np.arange(motion.size) - np.repeat(np.cumsum(count) - count, count) + 1) / count[motion]
     inner = points[:, motion] + share * (points[:, motion + 1] - points[:, motion])
