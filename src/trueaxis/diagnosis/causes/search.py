@@ -8,10 +8,11 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from trueaxis.diagnosis.causes.candidates import grid_of
+from trueaxis.diagnosis.causes.largest import decays
 from trueaxis.diagnosis.causes.prepared import Inner, Prepared, inner_of, prepared
 from trueaxis.diagnosis.causes.scan import Residual, Scanned, residual_of, scanned
 from trueaxis.diagnosis.causes.signature import Fitted, Readings, Signature
-from trueaxis.diagnosis.causes.signatures import decays, signature_of
+from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.diagnosis.null_model.freedom import Freedom
 from trueaxis.diagnosis.null_model.projection import Projection
 from trueaxis.diagnosis.null_model.roughness import Roughness

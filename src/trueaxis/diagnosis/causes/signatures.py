@@ -10,23 +10,20 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.diagnosis.causes.candidates import grid_of
+from trueaxis.diagnosis.causes.largest import extent, most_of_component
 from trueaxis.diagnosis.causes.signature import Fitted, Memory, Readings, Signature, Terms
-from trueaxis.diagnosis.null_model.base import LARGEST
 from trueaxis.diagnosis.null_model.temperature import warmer
 from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import SINCE_REVERSAL, concerns, used_variables
+from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.error_name import DISPLACEMENTS, ErrorName
 from trueaxis.estimation.jacobian import places_of
-from trueaxis.machine.machine import LINEAR, ROTARY
+from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.reading_model import measuring_frame, sensed_directions
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.effect_terms import component_term, component_variables, reading_term, reading_variables, term_of
 from trueaxis.model.model import MachineModel
 from trueaxis.view import view_of
-
-EXPANSION = 25e-6  # 1/K: of aluminium; other metals of machines grow less
-BENDING = 4.0  # times what a rod as long as the travels grows, or that over its length: structures that bend
 
 
 def signature_of(
@@ -68,7 +65,7 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
             size=size,
             points=points,
             missing=missing,
-            most=_largest(readings, ErrorName(effect.component), kind),
+            most=most_of_component(readings.model, ErrorName(effect.component), kind),
         )
         return _with_free_runs(readings, signature)
     if kind.place == "reading":
@@ -87,35 +84,8 @@ def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, fl
         size=size,
         points=points,
         missing=missing,
-        most=_extent(readings) if kind.place == "point" else np.inf,
+        most=extent(readings.model) if kind.place == "point" else np.inf,
     )
-
-
-def decays(kind: Kind) -> bool:
-    """Whether it decays from a reversal on."""
-    return not set(SINCE_REVERSAL).isdisjoint(used_variables(kind))
-
-
-def _largest(readings: Readings, component: ErrorName, kind: Kind) -> float:
-    """What an amplitude may come to: where an axis turns, since of an error that has decayed for long any size would
-    explain a little; and per kelvin, since a temperature that hardly changes goes with everything.
-    """
-    prior, turns = readings.model.prior, component.direction not in DISPLACEMENTS
-    if decays(kind):
-        return LARGEST * (prior.rotation if turns else prior.translation)
-    unit = next((one.unit for one in kind.parameters if one.role == "linear"), "")
-    if not unit.endswith("/K"):
-        return np.inf
-    of_axis = np.pi / 180.0 if component.axis in ROTARY else 1.0  # its positions are in deg
-    of_a_rod = 1.0 if turns else of_axis if "/axis" in unit else _extent(readings)
-    return BENDING * EXPANSION * of_a_rod
-
-
-def _extent(readings: Readings) -> float:
-    """mm, of the linear travels together: no point of a machine is farther from where it is said to be."""
-    travel = readings.model.travel
-    spans = [travel[axis][1] - travel[axis][0] for axis in readings.model.axes if axis in LINEAR]
-    return float(np.linalg.norm(spans)) or np.inf
 
 
 def _with_free_runs(readings: Readings, signature: Signature) -> Signature:
