@@ -159,3 +159,26 @@ def test_readings_that_determine_nothing_end_with_a_reason(tmp_path: Path, capsy
     data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3"), tmp_path / "e.json"
     assert identify(data, out, *STEPWISE, "--runs", "X-1") == 1
     assert "trueaxis: the readings determine no error: the values are zero" in capsys.readouterr().err
+
+
+def test_values_of_a_machine_whose_axis_was_turned_round_since_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Compensation with them would double the errors of the axis."""
+    out = tmp_path / "e.json"
+    assert identify(simulated(tmp_path, "dmu60p_regular_runs"), out, *STEPWISE) in (0, 1)
+    assert json.loads(out.read_text())["chain"] == read_machine(MACHINE).chain
+    turned, program = tmp_path / "turned.toml", tmp_path / "p.nc"
+    turned.write_text(
+        MACHINE.read_text().replace('moves = "X"', 'moves = "X"\nsense = -1').replace("runs =", "# runs =")
+    )
+    program.write_text("G21 G90\nG1 X10. Y10. Z10. F100\nM30\n")
+    assert main(["derive", str(turned), "--out", str(tmp_path / "kernels")]) == 0
+    capsys.readouterr()
+    words = ["compensate", str(turned), "--errors", str(out), str(program), "--out", str(tmp_path / "o.nc")]
+    assert main([*words, "--kernels", str(tmp_path / "kernels")]) == 2
+    said = capsys.readouterr().err
+    assert "chain" in said
+    assert "-X" in said
+    assert "identify again" in said
+    assert not (tmp_path / "o.nc").exists()

@@ -111,3 +111,10 @@ def test_every_fault_is_told_at_its_table() -> None:
         "key ends: stands beside structure",
     ):
         assert any(part in line for line in told), (part, told)
+
+
+def test_the_chain_names_axes_and_senses_from_workpiece_to_tool() -> None:
+    assert machine("YFXZ").chain == "+Y bed +X +Z"
+    assert machine("YFXZ", LINEAR_TABLES.replace("[axis.Y]", "[axis.Y]\nsense = -1")).chain == "-Y bed +X +Z"
+    assert machine("XYFZ").chain == "+X +Y bed +Z"
+    assert machine("YXFZ").chain == "+Y +X bed +Z"

@@ -144,6 +144,7 @@ CHANGES: list[tuple[dict[str, Any], str]] = [
     ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
     ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
     ({"undetermined": {}}, "undetermined: an object is not a list"),
+    ({"chain": ["X"]}, "chain: a list is not a text"),
     ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
     ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
     ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),

@@ -1,7 +1,7 @@
 """The machine with the causes that a diagnosis names, and the files that say it all."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -88,7 +88,7 @@ def contents_of(out: Path, given: Given, diagnosis: "Diagnosis", extending: Exte
         machine = extended.machine
         contents[out / extended.spec] = extended.text
         contents[out / ERRORS] = dump_errors(
-            diagnosis.values,
+            replace(diagnosis.values, chain=machine.chain),
             components=machine.components,
             parameters=machine.parameters,
             effects=machine.effects,

@@ -116,7 +116,10 @@ def identify(
     report = _of_data(found.report, measured, data.folder)
     covariance = _with_known(found.covariance, known)
     origin = origin_of(report, data.folder.resolve().name, method == "global" and prior)
-    return Identified(Errors(replace(found.values, origin=origin), covariance, machine=model.machine), report)
+    return Identified(
+        Errors(replace(found.values, origin=origin, chain=model.machine.chain), covariance, machine=model.machine),
+        report,
+    )
 
 
 def _of_data(report: IdentificationReport, measured: MeasuredData, folder: Path) -> IdentificationReport:

@@ -127,6 +127,22 @@ class Machine:
         return self.location_direction(parameter).unit if parameter in self.location_errors else "mm"
 
     @cached_property
+    def chain(self) -> str:
+        """The axes from the workpiece by way of the bed to the tool, each with its sense: `-X -Y bed +Z`."""
+        carriers = [self._carriers(end) for end in (self.workpiece, self.tool)]
+        return " ".join([*carriers[0], "bed", *reversed(carriers[1])])
+
+    def _carriers(self, number: int) -> list[str]:
+        """Axes that carry a body, with their senses, the nearest first."""
+        found = []
+        while number != BED:
+            body = self.body(number)
+            if body.moves is not None:
+                found.append(f"{'+' if body.sense > 0 else '-'}{body.moves}")
+            number = body.lower
+        return found
+
+    @cached_property
     def digest(self) -> str:
         """SHA-256 of the parsed spec: what it says, not how it is laid out.
 

@@ -13,13 +13,13 @@ from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.model.curve_json import curve_object, read_curve, read_u, u_value
 from trueaxis.model.curves import Curve
 from trueaxis.model.effect_values import EffectValues, effect_object, in_order, read_effects
-from trueaxis.model.origin import Origin, read_origin
+from trueaxis.model.origin import Origin, read_chain, read_origin
 from trueaxis.model.strict_json import JsonPath, key_path, number, parse, shown, two_levels
 
 SCHEMA = 1
 _U = ("u", "u_readings", "u_prior")
 _VALUES = ("parameters", "motion_errors", "effects")
-_KEYS = ("schema", "machine", "fit", "covariance", *_VALUES, *_U, "determined", "undetermined", "origin")
+_KEYS = ("schema", "machine", "fit", "covariance", *_VALUES, *_U, "determined", "undetermined", "origin", "chain")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +72,8 @@ class ErrorValues:
     parameters are determined; undetermined: what identification left open;
     effects: values of the machine's effects; fit: how identification ended, None where nothing says so;
     covariance: the file of their covariance, None where there is none; origin: the readings they were identified from,
-    None where nothing says so.
+    None where nothing says so; chain: `Machine.chain` of the spec that they were identified with, empty where nothing
+    says so.
     """
 
     machine: str
@@ -87,6 +88,7 @@ class ErrorValues:
     u_prior: Mapping[str, float] = field(default_factory=dict)
     determined: Mapping[str, Determined] = field(default_factory=dict)
     origin: Origin | None = None
+    chain: str = ""
 
 
 def read_errors(
@@ -128,6 +130,7 @@ def read_errors(
         if kinds[one.effect.kind].place == "location" and name in values:
             place = key_path(("parameters", name))
             faults.add(place, f"is told by the effect {one.effect.label} as well", "keep one")
+    chain = read_chain(tree.get("chain", ""), faults)
     faults.raise_if_any()
     return ErrorValues(
         machine=machine,
@@ -139,6 +142,7 @@ def read_errors(
         covariance=link,
         determined=determined,
         origin=origin,
+        chain=chain,
         **uncertainties,
     )
 
@@ -182,6 +186,8 @@ def dump_errors(
         ]
     if errors.origin is not None:
         tree["origin"] = asdict(errors.origin)
+    if errors.chain:
+        tree["chain"] = errors.chain
     return two_levels(tree)
 
 

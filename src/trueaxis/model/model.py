@@ -249,6 +249,11 @@ def load_errors(path: Path, machine: Machine) -> ErrorValues:
         kinds=machine.kinds,
     )
     faults = Faults(str(path))
+    if errors.chain and errors.chain != machine.chain:
+        problem = f'the values were identified with the axes "{errors.chain}", and the spec now has "{machine.chain}"'
+        faults.add(
+            "chain", problem, "identify again, with this spec: values of other senses or another order are wrong"
+        )
     check_believable(machine, errors, faults)
     faults.raise_if_any()
     return errors

@@ -88,6 +88,14 @@ def read_origin(entry: Any, faults: Faults) -> Origin | None:
     )
 
 
+def read_chain(value: Any, faults: Faults) -> str:
+    """The axes of the spec that values were identified with, see `Machine.chain`; empty, with a fault, where wrong."""
+    if isinstance(value, str):
+        return value
+    faults.add("chain", f"{shown(value)} is not a text", 'such as "-X -Y bed +Z"')
+    return ""
+
+
 def _records(entry: dict[str, Any], key: str, record: type, faults: Faults) -> list[dict[str, Any]]:
     """The objects of a list whose values are those of a record of texts, numbers and truths."""
     if not isinstance(entry[key], list):

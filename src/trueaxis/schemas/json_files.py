@@ -60,6 +60,7 @@ def errors_schema() -> Schema:
                     table({"combination": _TEXT, "parameters": array(_TEXT)}, ["combination", "parameters"])
                 ),
                 "origin": said(_origin(), "what identify made the values of"),
+                "chain": said(_TEXT, "the axes of the spec that they were identified with, from workpiece to tool"),
             },
             ["schema", "machine"],
             definitions={"curve": _curve()},
