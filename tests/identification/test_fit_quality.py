@@ -95,6 +95,14 @@ def test_an_instrument_whose_noise_is_known_is_judged_beside_one_whose_noise_is_
         assert "the residuals of ballbar could not be judged: no noise is stated for it" in fit_text(found)
 
 
+def test_as_many_unknowns_as_readings_leave_nothing_to_judge_by() -> None:
+    """Whether or not the noise is stated: it was said that none is."""
+    found = quality(replace(residuals(1e-3, 1e-3, size=0.02), freedom=0), RUNS)
+    assert found.fit.chi2 is None
+    assert "as many unknowns as readings" in fit_text(found)
+    assert "noise" not in fit_text(found)
+
+
 def test_a_good_fit_of_many_readings_is_no_misfit() -> None:
     rng = np.random.default_rng(1)
     many = 100_000

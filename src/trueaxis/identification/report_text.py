@@ -119,6 +119,8 @@ def fit_text(judged: FitQuality) -> str:
     chi2 = "" if judged.fit.chi2 is None else f"chi-square per degree of freedom {judged.fit.chi2:.3g}"
     if judged.fit.state == "misfit":
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
+    if judged.fit.chi2 is None and not judged.fit.unjudged:
+        return "converged; there are as many unknowns as readings, which leaves no residuals to judge by"
     if judged.fit.chi2 is None:
         return (
             "converged; the residuals could not be judged: no noise is stated (--noise-um), and too little is repeated"

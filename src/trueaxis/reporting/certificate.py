@@ -228,7 +228,8 @@ def fit_text(fit: Fit | None) -> str:
     if fit is None:
         return NOT_SAID
     if fit.chi2 is None:
-        judged = "the residuals could not be judged: no noise was stated, and too little is repeated"
+        why = "no noise was stated, and too little is repeated" if fit.unjudged else "as many unknowns as readings"
+        judged = f"the residuals could not be judged: {why}"
         return f"{fit.state}; {judged}" if fit.state == "converged" else fit.state
     apart = f"; not judged: {enumerated(fit.unjudged)}, whose noise is not known" if fit.unjudged else ""
     return f"{fit.state}, chi-square per degree of freedom {fit.chi2:.3g}{apart}"

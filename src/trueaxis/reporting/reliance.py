@@ -135,11 +135,13 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
 
 
 def prior_sentences(errors: ErrorValues, named: Collection[str]) -> list[str]:
-    """Values that no reading told and that have an uncertainty all the same, that of the prior; named: told already."""
+    """Values that no reading told: they rest on the prior, or on nothing; named: told already."""
     told = {name for item in errors.undetermined for name in item.parameters} - set(named)
     if errors.covariance is None or not told:
         return []
     names = [name for name in (*errors.motion_errors, *errors.parameters) if name in told]
+    if errors.origin is not None and not errors.origin.prior:
+        return [f"neither readings nor a prior determine {', '.join(names)}: how far their values are off is not known"]
     return [f"the readings do not determine {', '.join(names)}: their values and u rest on [prior] of the spec"]
 
 
