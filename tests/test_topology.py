@@ -92,6 +92,7 @@ BOTH_ENDS = [
 def test_the_way_that_positive_commands_move_the_tool(text: str, senses: dict[str, int]) -> None:
     machine = machine_of(text)
     assert tool_senses(machine) == senses
+    assert hasattr(kernels_of(text), "correction") == (0 not in senses.values())  # no move of such an axis corrects
     ideal = kernels_of(text).tool_in_workpiece_ideal
     home, lengths = np.zeros((len(machine.axes), 1)), np.zeros(len(machine.parameters))
     for axis, sense in senses.items():

@@ -226,6 +226,8 @@ def _correction(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     ideal = sp.Matrix(first_order(main, symbols.point()).ideal)
     jacobian = ideal.jacobian([symbols.position(axis) for axis in linear])
     inverse = _inverse(machine, jacobian)
+    if inverse is None:
+        return
     deviation = vector_argument(
         "deviation", ("dx", "dy", "dz"), "displacement of the tool point in the workpiece frame"
     )
@@ -242,9 +244,11 @@ def _correction(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     )
 
 
-def _inverse(machine: Machine, jacobian: sp.Matrix) -> sp.Matrix:
+def _inverse(machine: Machine, jacobian: sp.Matrix) -> sp.Matrix | None:
+    """None where there is none: of an axis that carries workpiece and tool both."""
     pythagoras = {symbols.sine(axis) ** 2: 1 - symbols.cosine(axis) ** 2 for axis in machine.axes if axis in ROTARY}
     gram = (jacobian * jacobian.T).applyfunc(lambda entry: multiplied_out(multiplied_out(entry).subs(pythagoras)))
     if gram == sp.eye(3):
         return jacobian.T
-    return jacobian.adjugate() / jacobian.det()
+    volume = jacobian.det()
+    return None if multiplied_out(volume) == 0 else jacobian.adjugate() / volume

@@ -19,7 +19,7 @@ from trueaxis.planning.candidates import LENGTHS, Candidate, Kit
 from trueaxis.planning.judge import expected_with_effects, judge, noise_of_instruments, noise_of_runs, refuse_runs
 from trueaxis.planning.location_sets import location_sets
 from trueaxis.planning.order import order
-from trueaxis.planning.propose import LEAST_FALL, VOLUME, Chosen, Proposal, Wish, for_noise, named, propose
+from trueaxis.planning.propose import LEAST_FALL, VOLUME, Chosen, Proposal, Wish, by_set_up, for_noise, named, propose
 from trueaxis.planning.report import Added, PlanReport, ProposalReport
 from trueaxis.planning.runs import PlannedRuns, no_runs
 
@@ -110,7 +110,7 @@ def _with_report(
     found: Proposal,
     wish: Wish,
 ) -> Proposed:
-    runs = tuple(one.candidate for one in found.runs)
+    runs = by_set_up([one.candidate for one in found.runs])
     whole = planned.with_added(runs)
     every = {**noise, **{k: wish.noise[one.run.instrument] for k, one in enumerate(runs, len(planned.runs))}}
     after, effects = expected_with_effects(model, whole.observed, options.given, every, options.effects)

@@ -144,6 +144,13 @@ def named(proposal: Proposal, taken: Sequence[Run], prefix: str) -> Proposal:
     return replace(proposal, runs=tuple(runs))
 
 
+def by_set_up(found: Sequence[Candidate]) -> tuple[Candidate, ...]:
+    """As they are to be taken: those of one set-up together, where the first of them was."""
+    keys = [set_up_of(one.run, one.positions) for one in found]
+    first = {key: keys.index(key) for key in keys}
+    return tuple(one for _, one in sorted(zip(keys, found, strict=True), key=lambda pair: first[pair[0]]))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Offer:
     """rows: (m, n), as `informing_rows` gives them; minutes: of the run itself; shared: what it needs that others need,
