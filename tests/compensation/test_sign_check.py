@@ -9,6 +9,7 @@ from tests.compensation.analytic_machine import XyzMachine, paper_sized
 from tests.compensation.control import Bench, execute
 from tests.compensation.five_axes import TEXTS, FiveAxes, constant
 from tests.machines import machine_of
+from trueaxis.compensation.offsets import Offsets
 from trueaxis.machine.topology import tool_senses
 
 ORIGIN = np.zeros((3, 1))
@@ -56,7 +57,7 @@ def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
     # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-
     assert text.endswith(b"Y200.012\n")
     shown = bench.told
-    assert "along Y of the workpiece frame, to zero at home (X0 Y0 Z0) and go to X0 Y200 Z0 (line 3).\n" in shown
+    assert "along Y of the workpiece frame, to zero at home (X0 Y0 Z0) and go to X0 Y200 Z0 (line 3), " in shown
     assert "it must show +0.0120 mm (above 0: the tool stands too far towards Y+ of the workpiece).\n" in shown
     assert "which commands Y200.012 (+0.0120 mm), it must show +0.0000 mm.\n" in shown
 
@@ -141,3 +142,13 @@ def test_it_is_left_out_where_nothing_is_to_be_seen(bench: Bench) -> None:
     assert bench.report.sign_check is None
     bench.run("G21 G90\nG0 X1. Y1. Z1.\n", XyzMachine({"EXX": lambda x: 0.01 + 0.0 * x}))
     assert bench.report.sign_check is None  # the same at home: a gauge set to zero there shows nothing
+
+
+def test_its_positions_are_said_to_be_those_of_the_machine(bench: Bench) -> None:
+    """Typed under the program's own G54, G43 or G20 they would lead elsewhere."""
+    offsets = Offsets({"G54": {axis: (value, value) for axis, value in zip("XYZ", (100.0, 50.0, 0.0), strict=True)}})
+    program = "G20 G90 G54 G17\nG0 X1. Y1. Z1.\nX5.\n"
+    bench.run(program, XyzMachine({"EXX": lambda x: 6e-5 * x}), offsets=offsets)
+    assert "go to X227 Y75.4 Z25.4 (line 3), in machine coordinates, mm: no work offset and no tool length" in bench.told
+    bench.run("G21 G90\nG0 X90. Y20. Z30. A0. C0.\nC90.\n", constant(TEXTS["table-table"], {"EXX": 0.15}))
+    assert ", in machine coordinates, mm and deg: " in bench.told

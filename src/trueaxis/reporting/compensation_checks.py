@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from trueaxis.compensation.machine import LINEAR
 from trueaxis.compensation.sign_check import KinematicsCheck, Senses, SignCheck
 from trueaxis.machine.machine import Machine
 
@@ -17,12 +18,17 @@ def sign_check_text(check: SignCheck) -> str:
     return (
         f"sign check before first use: set a gauge or laser between table and tool, along {check.direction} of the "
         f"workpiece frame, to zero at home ({position_text(check.home)}) and go to {position_text(check.position)} "
-        f"(line {check.line}).\n"
+        f"(line {check.line}), {_axis_units(check.position)}: no work offset and no tool length may be in force.\n"
         f"  Without compensation it must show {check.since_home:+.4f} mm (above 0: the tool stands too far "
         f"towards {check.direction}+ of the workpiece).\n"
         f"  With the compensated program, which commands {moved}, it must show {check.compensated:+.4f} mm{why}.\n"
         "  If the first reading has the other sign, so have the error values: do not run the program."
     )
+
+
+def _axis_units(at: Mapping[str, float]) -> str:
+    """What positions are, whatever the program's unit."""
+    return f"in machine coordinates, mm{'' if set(at) <= set(LINEAR) else ' and deg'}"
 
 
 def kinematics_text(check: KinematicsCheck) -> str:
