@@ -66,6 +66,7 @@ def test_the_whole_demonstration_gains_what_it_says_and_runs_nothing_of_its_fold
     make_hostile(tmp_path, tmp_path / "results")
     done = run(tmp_path, "demo --out results --noise-um 0.3 --seed 1", env={"EVIDENCE": str(tmp_path / "evidence")})
     assert done.returncode == 0, done.stderr
+    assert "WARNING: no work offset" not in done.stdout  # its circles are in machine coordinates, and say so
     assert run_of(tmp_path / "evidence") == []
     summary = (tmp_path / "results" / "summary.txt").read_text()
     nothing, by_stepwise, by_estimate, by_proposed = (

@@ -67,9 +67,9 @@ def circle(clockwise: bool) -> str:
     return "\n".join([*lines, "M30", "%"]) + "\n"
 
 
-def circle_ball() -> str:
-    """The options that choose words along the bar of the circle."""
-    return f"--ball {CENTRE[0]},{-CENTRE[1]},{CIRCLE_HEIGHT} --words ends"
+def circle_options() -> str:
+    """The options that choose words along the bar of the circle, whose program is in machine coordinates."""
+    return f"--ball {CENTRE[0]},{-CENTRE[1]},{CIRCLE_HEIGHT} --words ends --offset G54=X0,Y0,Z0"
 
 
 def circle_angles(clockwise: bool, count: int = 400) -> list[float]:
