@@ -55,12 +55,28 @@ def test_travel_is_told_for_the_whole_program(bench: Bench) -> None:
     found = faults_of(bench, program, offsets=G54)
     assert str(found[0]) == (
         "in.nc: Z reaches 100 to 1030, and its travel is from -1000 to 1000: 6 blocks are outside; "
-        "moved by -30 mm it fits: is the work offset right?"
+        "moved by at least Z-30 mm it fits: is the work offset right?"
     )
     assert len(found) == 7
     wide = faults_of(bench, program + "G0 Z-2000.\n", offsets=G54)[0]
     assert "another machine, or another clamping" in str(wide)
     assert len(faults_of(bench, "G54 G0 X0. Y0. Z0.\nZ950.\n", offsets=G54)) == 1
+
+
+def test_a_work_offset_that_is_not_given_is_named(bench: Bench) -> None:
+    """The shift fits all axes, those too that no block but one that X takes outside first takes outside."""
+    first, *each = faults_of(bench, "G21 G90 G17\nG0 X-1030. Y-1000.0002 Z0.\nG2 X-990. I20. J0.\nG1 X-980. F99\n")
+    assert len(each) == 2  # the arc is followed, too
+    assert str(first) == (
+        "in.nc: X reaches -1030 to -980, and its travel is from -1000 to 1000, Y reaches -1000 to -980.001, and its travel "
+        "is from -1000 to 1000: 2 blocks are outside; moved by at least X+30 mm Y+0.001 mm it fits: no work offset is "
+        "given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
+    )
+    program = "0 BEGIN PGM A MM\n1 L X+5 Y+5 Z+1001 R0 FMAX\n2 END PGM A MM\n"
+    assert ": no preset is given; --offset G54=X..,Y..,Z.. says" in str(faults_of(bench, program)[0])
+    (fault,) = faults_of(bench, program, offsets=Offsets({"G54": dict.fromkeys("XYZ", (10.0, 10.0))}))
+    assert "preset" not in str(fault)
+    assert len(faults_of(bench, "G21 G90\nG0 X0. Y0. Z0.\nG53 G0 Z-1001.\n")) == 1  # no offset would help
 
 
 def test_numbers_that_may_mean_two_lengths_are_no_positions(bench: Bench) -> None:

@@ -131,7 +131,7 @@ class FaultLog:
     of any length. unplaced: the first line from which on positions are not known, as it is not where the work offset's
     zero is; None where they are known throughout. macros: blocks with macros and the like. undotted: one fault, whose
     text is made once all its blocks are known. reach: lowest and highest position of each axis by letter; outside: how
-    many blocks take it out of its travel.
+    many blocks take it out of its travel. placed: whether a work offset was in force anywhere, or none is needed.
     """
 
     file: str
@@ -142,6 +142,12 @@ class FaultLog:
     undotted: Undotted = field(default_factory=Undotted)
     reach: dict[str, tuple[float, float]] = field(default_factory=dict)
     outside: Counter[str] = field(default_factory=Counter)
+    placed: bool = False
+
+    @property
+    def broken(self) -> bool:
+        """Whether there are faults that may leave moves out: those of the travel do not."""
+        return self.count > self.outside.total()
 
     def add(self, line: int, problem: str, remedy: str = "") -> None:
         """Note a fault of one line (from 1; 0 for the program as a whole) and go on."""

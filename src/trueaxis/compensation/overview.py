@@ -1,5 +1,6 @@
 """What is said before the faults of a program that has many: the one fact that explains them."""
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -12,6 +13,11 @@ from trueaxis.compensation.settings import Dialect
 from trueaxis.io.faults import Fault, InputError
 
 FEW = 3  # faults that are read one by one
+_OFFSET = "is the work offset right?"
+_NO_OFFSET = "no work offset is given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
+_NO_PRESET = "no preset is given; --offset G54=X..,Y..,Z.. says where the one that is active on the control lies"
+_STEP = 0.001  # mm, deg: of the shifts that are named
+_ROUNDING = 1e-6  # of a step: what doubles lose
 _UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
 
 
@@ -31,7 +37,7 @@ def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Di
             Fault(faults.file, "", f"{faults.macros} blocks hold macros, variables or expressions",
                   "--via-linuxcnc has LinuxCNC's interpreter unroll them")
         )  # fmt: skip
-    return [*found, *_travel(faults, model)]
+    return [*found, *_travel(faults, model, said or seen)]
 
 
 @contextmanager
@@ -56,18 +62,34 @@ def _mistyped(faults: FaultLog) -> Iterator[Fault]:
             )
 
 
-def _travel(faults: FaultLog, model: ErrorModel) -> Iterator[Fault]:
-    """Axes that many blocks take out of their travel, and by how much the program would have to be moved."""
-    for axis, blocks in faults.outside.items():
-        low, high = faults.reach[axis]
-        lowest, highest = model.travel[axis]
-        if blocks <= FEW:
-            continue
-        remedy = "another machine, or another clamping"
-        if high - low <= highest - lowest:
-            by = lowest - low if low < lowest else highest - high
-            remedy = f"moved by {by:+.4g} {'mm' if axis in LINEAR else 'deg'} it fits: is the work offset right?"
-        yield Fault(
-            faults.file, "", f"{axis} reaches {low:.6g} to {high:.6g}, and its travel is from {lowest:g} to "
-            f"{highest:g}: {blocks} blocks are outside", remedy,
-        )  # fmt: skip
+def _travel(faults: FaultLog, model: ErrorModel, control: Dialect | None) -> Iterator[Fault]:
+    """Axes that blocks take out of their travel, and by how much the program would have to be moved: where they are
+    many, or no work offset is given, which then is the likely cause.
+    """
+    shifts = {axis: _shift(reach, model.travel[axis]) for axis, reach in faults.reach.items()}
+    shifts = {axis: by for axis, by in shifts.items() if by != 0.0}
+    blocks = faults.outside.total()
+    if not blocks or not shifts or (faults.placed and blocks <= FEW):
+        return
+    reached = ", ".join(
+        "{} reaches {:.6g} to {:.6g}, and its travel is from {:g} to {:g}".format(
+            axis, *faults.reach[axis], *model.travel[axis]
+        )
+        for axis in shifts
+    )
+    remedy = "another machine, or another clamping"
+    if not any(math.isnan(by) for by in shifts.values()):
+        moved = " ".join(f"{axis}{by:+.9g} {'mm' if axis in LINEAR else 'deg'}" for axis, by in shifts.items())
+        cause = _OFFSET if faults.placed else _NO_PRESET if control == "heidenhain" else _NO_OFFSET
+        remedy = f"moved by at least {moved} it fits: {cause}"
+    are = "block is" if blocks == 1 else "blocks are"
+    yield Fault(faults.file, "", f"{reached}: {blocks} {are} outside", remedy)
+
+
+def _shift(reach: tuple[float, float], travel: tuple[float, float]) -> float:
+    """By how much an axis would have to be moved to stay within its travel, rounded up; NaN: it reaches too far."""
+    (low, high), (lowest, highest) = reach, travel
+    if high - low > highest - lowest:
+        return math.nan
+    by = max(lowest - low, 0.0) or min(highest - high, 0.0)
+    return math.copysign(math.ceil(abs(by) / _STEP - _ROUNDING) * _STEP, by)

@@ -104,6 +104,7 @@ class Compensator:
         if isinstance(item, Zero):
             return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
         if isinstance(item, Setup):
+            self._faults.placed |= bool(item.system)
             tools = self._settings.tools
             tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
             self._tool_point = tool_point_of(self._axes_model, tool, self._given_point)
@@ -162,7 +163,7 @@ class Compensator:
         if not len(moves):
             return "".join(item for item in batch.items if isinstance(item, str))
         start, self._programmed = self._programmed, moves.ends[:, -1]
-        if self._faults.count:  # moves may be missing: where arcs would start is not known
+        if self._faults.broken:  # moves may be missing: where arcs would start is not known
             moves = moves.without_arcs()
         chords = ArcChords.of(moves, start, self._model, self._settings.chord_tolerance, self._arcs_stay)
         path, _ = chords.on(moves, start, self._model.axes)
