@@ -111,7 +111,7 @@ def test_faults_of_options_and_errors_come_together(tmp_path: Path) -> None:
 
 
 def test_a_program_that_is_not_there(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="No such file"):
+    with pytest.raises(InputError, match="there is no such file"):
         command(tmp_path, None)
     assert not list(tmp_path.iterdir())
 
@@ -146,6 +146,14 @@ def test_what_the_user_vouches_for(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "sign check before first use: set a gauge or laser" in shown
     with pytest.raises(InputError, match="--pass-m does not pass it"):
         command(tmp_path, program, "--dialect", "linuxcnc", "--pass-m", "70,110")
+
+
+def test_what_was_written_is_said_last(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command(tmp_path, PROGRAM, "--report", str(tmp_path / "report.json")) == 0
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last == f"written: {tmp_path / 'out.nc'}, {tmp_path / 'report.json'}"
+    assert command(tmp_path, PROGRAM, "--tolerance", "1e-9") == 1
+    assert "\nwritten: " not in capsys.readouterr().out
 
 
 def test_folders_are_made_and_taken_away_again(tmp_path: Path) -> None:

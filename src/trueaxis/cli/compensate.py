@@ -63,7 +63,7 @@ sets their step. Where the tool axis is within 0.57 deg of parallel to a rotary 
 corrected in one direction without a large turn: the rotary axis then keeps its programmed position, and the report
 names the lines.
 
-exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
+exit status: 0 done, the last line is `written: PROGRAM`; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
 at whose end their words stop, or the program moves nothing: the last line is `PROGRAM: written, but not good:` and why;
 or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
 `PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong and nothing was written. A rapid in machine
@@ -259,4 +259,7 @@ def run(args: argparse.Namespace) -> int:
         print(f"{named(args.out)}: not written: {sentence}")
     if report.failures and not report.refused:
         print(f"{named(args.out)}: written, but not good: {failure_text(report)}")
+    if report.good:
+        made = (args.out, args.report, None if left is None else args.draws_out)
+        print(f"written: {', '.join(named(path) for path in made if path is not None)}")
     return 0 if report.good else 1

@@ -19,16 +19,23 @@ def gathering(found: list[Fault]) -> Iterator[None]:
         found += error.faults
 
 
+def said_of(problem: OSError) -> tuple[str, str]:
+    """What is wrong with a file that cannot be opened, and what would be right."""
+    if isinstance(problem, FileNotFoundError):
+        return "there is no such file", ""
+    if isinstance(problem, IsADirectoryError):
+        return "is a folder", "name a file"
+    return problem.strerror or str(problem), ""
+
+
 def input_bytes(path: Path) -> bytes:
     """The file's content. Raises InputError when the file cannot be read."""
     faults = Faults(str(path))
     _LOG.info("reading %s", path)
     try:
         return path.read_bytes()
-    except FileNotFoundError:
-        faults.add("", "there is no such file")
-    except IsADirectoryError:
-        faults.add("", "is a folder", "name a file")
+    except (FileNotFoundError, IsADirectoryError) as error:
+        faults.add("", *said_of(error))
     except OSError as error:
         faults.add("", f"cannot be read: {error.strerror}")
     except ValueError as error:  # a NUL character in the name

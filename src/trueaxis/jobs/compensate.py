@@ -20,7 +20,7 @@ from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.tools import ToolTable
 from trueaxis.io.faults import Fault, InputError, RefusedError
 from trueaxis.io.files import write_files
-from trueaxis.io.input_files import gathering
+from trueaxis.io.input_files import gathering, said_of
 from trueaxis.jobs.compensation_arguments import (
     CompensationSettings,
     Tools,
@@ -224,7 +224,7 @@ def as_faults(program: Path) -> Iterator[None]:
         yield
     except OSError as problem:
         name = problem.filename or program
-        raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
+        raise InputError([Fault(str(name), "", *said_of(problem))]) from None
 
 
 def _file(program: AnyPath) -> Path:
