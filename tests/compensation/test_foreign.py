@@ -7,6 +7,7 @@ import pytest
 
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
+from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.overview import foreign_first
 from trueaxis.io.faults import Fault, InputError
 
@@ -93,6 +94,12 @@ def test_a_program_with_faults_is_one(bench: Bench, program: str) -> None:
         ("GO X5. Y5.", None, "GO has the letter O for a zero: G0"),
         ("GO X5. Y5.", "siemens", "GO has the letter O for a zero: G0"),
         ("G1 X-1O. F100", "siemens", "X-1O. has the letter O for a zero: X-10."),
+        ("N17O G1 X6. F100", None, "N17O has the letter O for a zero: N170"),
+        ("N1O", None, "N1O has the letter O for a zero: N10"),
+        ("N1O G1 X6 F100", "siemens", "N1O has the letter O for a zero: N10"),
+        ("G1 X6O,25 F100", None, "X6O,25 has the letter O for a zero, and a decimal comma: X60.25"),
+        ("G1 X6,O5 F100", None, "X6,O5 has the letter O for a zero, and a decimal comma: X6.05"),
+        ("GO X5,5 YO.", None, "column 1: GO has the letter O for a zero: G0, column 6: X5,5 has a decimal comma"),
     ],
 )
 def test_a_mistyped_number_is_the_only_fault(bench: Bench, block: str, dialect: Any, said: str) -> None:
@@ -106,10 +113,32 @@ def test_a_mistyped_number_is_the_only_fault(bench: Bench, block: str, dialect: 
     assert fault.place == "line 3"
 
 
+@pytest.mark.parametrize(
+    ("program", "dialect"),
+    [
+        ("G21 G90 G17\nG0 X1. Y1. Z1.\nG1 Y5O. F100\nG2 X2. Y51. I1. J0.\nG0 Z5O\nG91 Z960.\n", None),
+        ("G71 G90 G17\nG0 X1. Y1. Z1.\nG1 Y=5O. F100\nG2 X2. Y51. I1. J0.\nG0 Z5O\nG91 Z960.\n", "siemens"),
+        (
+            "BEGIN PGM T MM\nL X+1 Y+1 Z+1 FMAX\nL Y+5O F100\nCC X+2 Y+50\nC X+2 Y+51 DR-\nL Z+5,0\n"
+            "L IZ+1000\nEND PGM T MM\n",
+            None,
+        ),
+    ],
+)
+def test_what_follows_a_mistyped_number_is_read_on_from_where_it_leads(bench: Bench, program: str, dialect: Any) -> None:
+    """The arc behind it had no centre, and where the axes were then was not known: what is out of travel is found."""
+    found = faults_of(bench, program, dialect=dialect, offsets=Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))}))
+    assert [fault.place.split()[-1] for fault in found] == (["3", "6", "7"] if "PGM" in program else ["3", "5", "6"])
+    assert "is outside its travel" in found[-1].problem
+
+
 def test_klartext_is_mistyped_alike(bench: Bench) -> None:
     for word, said in (("X+1,5", "X+1,5 has a decimal comma"), ("X+1O", "X+1O has the letter O for a zero: X+10")):
         (fault,) = faults_of(bench, f"BEGIN PGM T MM\nL X+1 Y+1 Z+1 FMAX\nL {word} F100\nEND PGM T MM\n")
         assert said in fault.problem
+        assert not fault.remedy
+    (fault,) = faults_of(bench, "BEGIN PGM T MM\nL X+1 Y+1 Z+1 FMAX\nL X+Q1 F100\nEND PGM T MM\n")
+    assert str(fault) == "in.nc: line 3: 'X+Q1 F100' is no word with its value; the number itself in place of it"
 
 
 def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:

@@ -40,7 +40,8 @@ class KlartextBlock(NamedTuple):
     head: block number and blanks before it; optional: `/` of an optional block; others: the words that are no
     coordinates, as written; comment: from `;` on. direction: +1 for DR+, -1 for DR-, 0: none. radius: of CR, with sign.
     feed: mm/min or 0.1 inch/min, None: no F; rapid: FMAX. side: R0, RL, RR or empty. retracts: M140 MB
-    MAX or MB+50: along the tool axis, out of what is cut. problem: what is wrong with it.
+    MAX or MB+50: along the tool axis, out of what is cut. problem: what is wrong with it; mended: the text of the block
+    with the number put right that this says to be mistyped.
     """
 
     verb: str = ""
@@ -57,6 +58,7 @@ class KlartextBlock(NamedTuple):
     others: tuple[str, ...] = ()
     comment: str = ""
     problem: str = ""
+    mended: str = ""
 
     @property
     def feeds(self) -> bool:
@@ -88,7 +90,7 @@ def lex_klartext(body: str) -> KlartextBlock:
     coordinates: dict[str, Coordinate] = {}
     codes: list[int] = []
     others: list[str] = []
-    direction, radius, feed, rapid, side, retracts, problem = 0, None, None, False, "", False, ""
+    direction, radius, feed, rapid, side, retracts, problem, mended = 0, None, None, False, "", False, "", ""
     place = verb.end()
     while place < len(text) and not problem:
         if found := _BLANK.match(text, place):
@@ -116,13 +118,14 @@ def lex_klartext(body: str) -> KlartextBlock:
             retracts = True
             others.append(found[0])
         else:
-            problem = mistyped(text, place)
-            problem = problem or f"{text[place : place + 20].strip()!r} is no word whose value is in the program"
+            slip = mistyped(text, place)
+            problem = slip.problem if slip else f"{text[place : place + 20].strip()!r} is no word with its value"
+            mended = f"{body[: -len(rest)]}{slip.mended}{sign}{comment}" if slip else ""
             break
         place = found.end()
     return KlartextBlock(
         verb[1].upper(), head, optional, coordinates, direction, radius, feed, rapid, side, retracts, tuple(codes),
-        tuple(others), sign + comment, problem,
+        tuple(others), sign + comment, problem, mended,
     )  # fmt: skip
 
 

@@ -31,6 +31,7 @@ from trueaxis.compensation.move_notes import SWITCH
 from trueaxis.compensation.moves import AFTER_END, STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.frame_codes import FrameReader
+from trueaxis.compensation.nc.mistyped import read_mended
 from trueaxis.compensation.nc.modes import note_unfed, switch
 from trueaxis.compensation.nc.motion import in_its_frame
 from trueaxis.compensation.nc.rotary_ways import take_codes, turned_round
@@ -101,7 +102,9 @@ class KlartextReader:
                 self._notes.warn(number, AFTER_END)
             return [text]
         _, optional, rest = head_of(body)
-        block = lex_klartext(body)
+        block, wrong = read_mended(body, lex_klartext)
+        if wrong:
+            self._faults.add(number, wrong)
         if optional and (delete := self._settings.block_delete) == "fault":
             problem = "whether this block with / is run depends on a switch"
             self._faults.add(number, problem, "say --block-delete run or --block-delete skip")
@@ -181,7 +184,7 @@ class KlartextReader:
     def _path(self, number: int, text: str, block: KlartextBlock) -> list[Item]:
         """A path function, or M codes alone."""
         if block.problem:
-            self._faults.add(number, block.problem, "the value in the block itself")
+            self._faults.add(number, block.problem, "the number itself in place of it")
         if block.side in ("RL", "RR"):
             self._faults.add(
                 number, f"{block.side} compensates the cutter's radius", "have the path of its centre written"

@@ -44,11 +44,14 @@ class Word(NamedTuple):
 
 
 class Block(NamedTuple):
-    """Words of a block in order; problem is what is wrong with its text, empty if nothing is."""
+    """Words of a block in order; problem is what is wrong with its text, empty if nothing is; mended: the text with the
+    number put right that it says to be mistyped.
+    """
 
     words: tuple[Word, ...]
     problem: str
     macro: bool = False  # whether that is a macro, a variable or an expression
+    mended: str = ""
 
 
 def lex(body: str, begin: int = 0) -> Block:
@@ -58,12 +61,12 @@ def lex(body: str, begin: int = 0) -> Block:
     while place < len(body):
         token = _TOKEN.match(body, place)
         if token is None:
-            wrong = mistyped(body, place)
-            problem = f"column {place + 1}: {wrong or _wrong(body, place)}"
-            return Block(tuple(words), problem, not wrong and _is_macro(body, place))
+            if wrong := mistyped(body, place):
+                return Block(tuple(words), f"column {place + 1}: {wrong.problem}", mended=wrong.mended)
+            return Block(tuple(words), f"column {place + 1}: {_wrong(body, place)}", _is_macro(body, place))
         if token[2]:
             if token[2] in "Oo" and words and words[-1].end == place and (wrong := mistyped(body, place)):
-                return Block(tuple(words), f"column {place + 1}: {wrong}")
+                return Block(tuple(words), f"column {place + 1}: {wrong.problem}", mended=wrong.mended)
             if abs(value := float(token[3])) > LARGEST:
                 return Block(tuple(words), beyond(token[2], token[3]))
             words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))

@@ -24,6 +24,7 @@ from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.leader import leader_of, take_leader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
+from trueaxis.compensation.nc.mistyped import read_mended
 from trueaxis.compensation.nc.modes import ModeReader, switch
 from trueaxis.compensation.nc.motion import MotionReader, to_reference
 from trueaxis.compensation.nc.rotary_ways import take_codes
@@ -131,7 +132,9 @@ class NcReader:
                 return [line]
             lead = optional.end()
         named = _NAME.fullmatch(text)
-        block, meaning = self._read(body, lead, named is not None)
+        block, meaning, wrong = self._read(body, lead, named is not None)
+        if wrong:
+            self._faults.add(number, wrong)
         for text in meaning.notes:
             self._notes.add(number, text)
         meaning.program_number |= named is not None or (aligned is not None and not block.words)
@@ -143,18 +146,18 @@ class NcReader:
                 self._notes.add(number, SWITCH["run"])
         return self._block(number, line, body, block, meaning, optional[0] if optional else "")
 
-    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning]:
-        """The words of a block and what they ask for."""
-        started = Meaning()
+    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning, str]:
+        """The words of a block, what they ask for, and what of them is mistyped."""
+        started, wrong = Meaning(), ""
         if named:
             block = Block((), "")
         elif self._settings.dialect == "siemens":
-            found = lex_siemens(body, lead)
+            found, wrong = read_mended(body, lambda text: lex_siemens(text, lead))
             take_functions(found, started)
             block = found.block
         else:
-            block = lex(body, lead)
-        return block, interpret(block, self._axes, self._settings, self._state.cycle is not None, started)
+            block, wrong = read_mended(body, lambda text: lex(text, lead))
+        return block, interpret(block, self._axes, self._settings, self._state.cycle is not None, started), wrong
 
     def _depends(self, meaning: Meaning) -> bool:
         """Whether it matters to what follows if a block is run."""

@@ -70,6 +70,16 @@ class SiemensBlock(NamedTuple):
     functions: tuple[Function, ...]
     ways: dict[str, str]
 
+    @property
+    def problem(self) -> str:
+        """That of its words."""
+        return self.block.problem
+
+    @property
+    def mended(self) -> str:
+        """The text with a mistyped number put right."""
+        return self.block.mended
+
 
 def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
     """Words, keywords and calls of a block; `body` has no line end, reading begins at `begin`."""
@@ -77,7 +87,7 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
     functions: list[Function] = []
     ways: dict[str, str] = {}
     place = begin
-    problem = ""
+    problem = mended = ""
     while place < len(body) and not problem:
         if passed := _passed(body, place, not functions and all(word.letter == "N" for word in words)):
             place = passed.end()
@@ -102,6 +112,8 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = found.end()
         elif (spindle := _SPINDLE.match(body, place)) and (body[place] in "Ss" or spindle[1] in _SPINDLE_CODES):
             place = spindle.end()
+        elif slip := mistyped(body, place):
+            problem, mended = f"column {place + 1}: {slip.problem}", slip.mended
         elif wrong := _no_word(body, place):
             problem = f"column {place + 1}: {wrong}"
         elif keyword := _KEYWORD.match(body, place):
@@ -109,7 +121,7 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             functions.append(Function(name, arguments[0].strip() if arguments else None))
             place = arguments.end() if arguments else keyword.end()
             place = len(body) if name in _BRANCHES else place  # the rest is on which condition, and where to
-    return SiemensBlock(Block(tuple(words), problem), tuple(functions), ways)
+    return SiemensBlock(Block(tuple(words), problem, mended=mended), tuple(functions), ways)
 
 
 def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
@@ -122,8 +134,6 @@ def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
 
 def _no_word(body: str, place: int) -> str:
     """What is wrong with what stands there; empty where it is a keyword."""
-    if wrong := mistyped(body, place):
-        return wrong
     statement = _STATEMENT.match(body, place)
     if statement is None and _KEYWORD.match(body, place):
         return ""
