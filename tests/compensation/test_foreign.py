@@ -33,7 +33,7 @@ def faults_of(bench: Bench, program: str | bytes, **settings: Any) -> tuple[Faul
         (b"x" * 80 + struct.pack("<I", 3) + b"\0" * 150, "holds bytes of zero"),
         ("  0\nSECTION\n  2\nHEADER\n", "begins as a DXF drawing does"),
         ("ISO-10303-21;\nHEADER;\n", "begins as a STEP model does"),
-        (b"PK\x03\x04\x14\0\0\0", "begins as a ZIP archive"),
+        (b"PK\x03\x04\x14\0\0\0", "begins as a ZIP archive, such as an office document, does;"),
         ("<html><body>\n<p>404 Not Found</p>\n", "begins as a page of HTML"),
         (LETTER, "0 of its first 4 lines may be blocks"),
         (CSV, "0 of its first 11 lines may be blocks"),

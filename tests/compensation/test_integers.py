@@ -23,6 +23,8 @@ def test_they_are_one_fault_with_the_lines_of_all(bench: Bench) -> None:
     assert "--integers" in error.value.faults[0].remedy
     with pytest.raises(InputError, match="line 3: Y without a decimal point"):
         bench.run("G21 G90\nG0 X0 Y0 Z0\nY100\n", shifted())
+    with pytest.raises(InputError, match="Q without a decimal point: Q100 is 100 mm on some"):
+        bench.run("G21 G90\nG0 X0 Y0 Z9.\nG83 X1. Y0. Z-6. R2. Q3000 F100.\n", shifted())
 
 
 def test_many_of_them_are_counted_and_hide_no_other_fault(bench: Bench) -> None:

@@ -82,7 +82,7 @@ def test_a_block_in_machine_coordinates(bench: Bench) -> None:
     # a cut block stays one in machine coordinates
     assert len(text) > 8
     assert all(line.startswith(b"G53 ") for line in text[5:])
-    assert any("no offset may be active" in note for note in bench.report.warnings)
+    assert any("no work offset may be active" in note for note in bench.report.warnings)
     assert any("at rapid even under G1" in note for note in bench.report.notes)
 
 

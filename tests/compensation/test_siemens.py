@@ -271,6 +271,11 @@ def test_a_call_a_jump_or_a_declaration_is_one_fault(tmp_path: Path, line: str, 
     assert words in fault.problem
 
 
+def test_supa_is_not_called_g53(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="line 5: G53, G153 and SUPA go with G0 or G1 and G90 only"):
+        compensated(tmp_path, HEAD + "G91 SUPA G0 Z5\nM30\n")
+
+
 def test_machine_coordinates_are_those_of_the_tip_while_a_length_is_in_force(tmp_path: Path) -> None:
     source = HEAD + "SUPA G0 Z150\nM30\n"
     written = compensated(tmp_path, source)

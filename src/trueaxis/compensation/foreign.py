@@ -4,7 +4,7 @@ import re
 
 _PROGRAM = "the program that a CAM system or the control wrote"
 _BEGINNINGS = (
-    (r"%PDF-", "a PDF document"), (r"PK\x03\x04", "a ZIP archive, as office documents are"),
+    (r"%PDF-", "a PDF document"), (r"PK\x03\x04", "a ZIP archive, such as an office document,"),
     (r"\x89PNG|\xff\xd8\xff|GIF8|BM.{4}\x00{4}", "a picture"), (r"\{\\rtf", "a text document (RTF)"),
     (r"\s*<(?:!DOCTYPE|html|\?xml|svg)", "a page of HTML or XML"), (r"ISO-10303-21", "a STEP model"),
     (r"solid\b[^\n]*\n\s*facet\b", "an STL model"), (r"\s*0\s*\r?\n\s*SECTION\b|AutoCAD Binary DXF", "a DXF drawing"),

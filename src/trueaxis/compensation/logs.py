@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensation.machine import FloatArray
+from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
 from trueaxis.io.faults import Fault, InputError
 
 LINES_KEPT = 50
@@ -112,6 +112,13 @@ class Undotted:
         if self.blocks <= KEPT:
             self.first.append(line)
 
+    @property
+    def _example(self) -> str:
+        """What a number with one of the letters may count."""
+        letter = min(self.letters, key=lambda one: (one not in LINEAR, one in ROTARY, one))
+        unit = "deg" if letter in ROTARY else "mm"
+        return f"{letter}100 is 100 {unit} on some controls and 0.1 {unit} on others"
+
     def faults(self, file: str) -> Iterator[Fault]:
         """One for all blocks: one option says what all the numbers count."""
         if self.blocks:
@@ -119,8 +126,7 @@ class Undotted:
             yield Fault(
                 file,
                 f"line{'s' * (self.blocks > 1)} {', '.join(map(str, self.first))}{more}",
-                f"{' '.join(sorted(self.letters))} without a decimal point: X100 is 100 mm on some controls and 0.1 mm "
-                "on others",
+                f"{' '.join(sorted(self.letters))} without a decimal point: {self._example}",
                 "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
             )
 

@@ -69,7 +69,8 @@ def _travel(faults: FaultLog, model: ErrorModel, control: Dialect | None) -> Ite
     shifts = {axis: _shift(reach, model.travel[axis]) for axis, reach in faults.reach.items()}
     shifts = {axis: by for axis, by in shifts.items() if by != 0.0}
     blocks = faults.outside.total()
-    if not blocks or not shifts or (faults.placed and blocks <= FEW):
+    fits = not any(math.isnan(by) for by in shifts.values())
+    if not blocks or not shifts or (blocks <= FEW and (faults.placed or not fits)):
         return
     reached = ", ".join(
         "{} reaches {:.6g} to {:.6g}, and its travel is from {:g} to {:g}".format(
@@ -78,7 +79,7 @@ def _travel(faults: FaultLog, model: ErrorModel, control: Dialect | None) -> Ite
         for axis in shifts
     )
     remedy = "another machine, or another clamping"
-    if not any(math.isnan(by) for by in shifts.values()):
+    if fits:
         moved = " ".join(f"{axis}{by:+.9g} {'mm' if axis in LINEAR else 'deg'}" for axis, by in shifts.items())
         cause = _OFFSET if faults.placed else _NO_PRESET if control == "heidenhain" else _NO_OFFSET
         remedy = f"moved by at least {moved} it fits: {cause}"

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from trueaxis.compensation.settings import Settings
 
 MOST_REPEATS = 10_000
+_Z_AND_R = "give both where the cycle begins, and again after a change to G90, G91, G20 or G21: controls differ there"
+_ON_FANUC = "; --dialect fanuc says that the control keeps them under G91, as those of Fanuc and Haas do"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,6 +73,11 @@ def repeats_of(parameters: Mapping[str, float], settings: Settings) -> int | Non
     least = 0 if settings.dialect == "fanuc" else 1
     right = {"L", "K"} - parameters.keys() and count % 1 == 0 and least <= count <= MOST_REPEATS
     return int(count) if right else None
+
+
+def z_and_r(settings: Settings, begins: bool) -> str:
+    """What is to be done where no Z and R hold; begins: whether none were given, or they were not left by G91."""
+    return _Z_AND_R + (_ON_FANUC if settings.dialect is None and not begins else "")
 
 
 def whole_peck_in_mm(cycle: Cycle, settings: Settings) -> bool:

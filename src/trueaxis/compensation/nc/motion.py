@@ -26,9 +26,9 @@ from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 MACHINE_COORDINATES = (
-    "a G53 block: the blocks without G53 are read in machine coordinates too, so no offset may be active"
+    "a block in machine coordinates: the other blocks are read so too, and no work offset may be active"
 )
-MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
+MACHINE_FEED = "some controls make a block in machine coordinates at rapid even under G1"
 
 
 KEPT = "a motion in machine coordinates is left as it is (--keep-g53)"
@@ -146,7 +146,8 @@ class MotionReader:
                 number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block"
             )
         elif meaning.in_machine_coordinates and (state.motion > 1 or not state.absolute):
-            self._faults.add(number, "G53 goes with G0 or G1 and G90 only", "write the block so")
+            words = "G53, G153 and SUPA go" if self._settings.dialect == "siemens" else "G53 goes"
+            self._faults.add(number, f"{words} with G0 or G1 and G90 only", "write the block so")
         elif state.frames.system == "" and not meaning.in_machine_coordinates:
             self._faults.add(
                 number,
