@@ -31,7 +31,7 @@ from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
 from trueaxis.compensation.nc.reader import NcReader
-from trueaxis.compensation.overview import overview
+from trueaxis.compensation.overview import FEW, for_another_control, overview
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
@@ -233,6 +233,8 @@ def compensated(
                 blocks_out, ends_whole = blocks_out + piece.count("\n"), piece.endswith("\n")
     if lines.empty:
         faults.add(1, *NO_BLOCK)
+    if faults.count > FEW and (other := for_another_control(faults, said, seen)):
+        raise InputError([other])  # what it would be for the control that is named helps nobody
     faults.raise_if_any(overview(faults, model, said, seen, head))
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:

@@ -30,14 +30,24 @@ def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Di
     if (foreign := looks_like(head)) is not None:
         return [Fault(faults.file, "line 1", *foreign)]
     found = [*_mistyped(faults)]
-    if said is not None and seen is not None and seen != said:
-        found.append(Fault(faults.file, "", f"looks like a program for {NAMES[seen]}", f"--dialect {seen}"))
+    if other := for_another_control(faults, said, seen):
+        found.append(other)
     elif faults.macros > FEW and said in _UNROLLABLE:
         found.append(
             Fault(faults.file, "", f"{faults.macros} blocks hold macros, variables or expressions",
-                  "--via-linuxcnc has LinuxCNC's interpreter unroll them")
+                  "--via-linuxcnc (LinuxCNC installed here) has its interpreter unroll them")
         )  # fmt: skip
     return [*found, *_travel(faults, model, said or seen)]
+
+
+def for_another_control(faults: FaultLog, said: Dialect | None, seen: Dialect | None) -> Fault | None:
+    """That the program looks like one for a control that the user does not name; None where it does not."""
+    if said is None or seen is None or seen == said:
+        return None
+    problem = f"looks like a program for {NAMES[seen]}"
+    if faults.count > FEW:
+        problem += f"; {faults.count} faults as one for {NAMES.get(said, said)} are not listed"
+    return Fault(faults.file, "", problem, f"--dialect {seen}")
 
 
 @contextmanager
