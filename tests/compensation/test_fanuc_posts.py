@@ -88,7 +88,7 @@ def test_a_row_of_holes_by_increments_keeps_its_depth(bench: Bench, level: str, 
     for wrong in ("G91 X20. Z-9. K3", "G20 X1."):
         with pytest.raises(InputError, match="without Z and R"):
             bench.run(f"{head}{wrong}\n{tail}", offsets=G54, dialect="fanuc")
-    with pytest.raises(InputError, match="without Z and R; give both where .* differ there; --dialect fanuc says"):
+    with pytest.raises(InputError, match=r"without Z and R; give both where .* differ there; --dialect fanuc says"):
         bench.run(f"{head}G91 X20. K3\n{tail}", offsets=G54, dialect=None)
 
 

@@ -125,7 +125,9 @@ def test_a_mistyped_number_is_the_only_fault(bench: Bench, block: str, dialect: 
         ),
     ],
 )
-def test_what_follows_a_mistyped_number_is_read_on_from_where_it_leads(bench: Bench, program: str, dialect: Any) -> None:
+def test_what_follows_a_mistyped_number_is_read_on_from_where_it_leads(
+    bench: Bench, program: str, dialect: Any
+) -> None:
     """The arc behind it had no centre, and where the axes were then was not known: what is out of travel is found."""
     found = faults_of(bench, program, dialect=dialect, offsets=Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))}))
     assert [fault.place.split()[-1] for fault in found] == (["3", "6", "7"] if "PGM" in program else ["3", "5", "6"])

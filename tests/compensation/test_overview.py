@@ -32,7 +32,7 @@ def test_another_control_is_said_first(bench: Bench) -> None:
         "in.nc: looks like a program for SINUMERIK (Siemens); 5 faults as one for Fanuc or the like are not listed; "
         "--dialect siemens"
     )
-    found = faults_of(bench, "G0 X1. Y1. Z1.\nMSG(\"a\")\nTRANS X5.\n", dialect="fanuc")
+    found = faults_of(bench, 'G0 X1. Y1. Z1.\nMSG("a")\nTRANS X5.\n', dialect="fanuc")
     assert "looks like" in str(found[0])
     assert len(found) > 1  # few are listed
     assert "looks like" not in str(faults_of(bench, program.replace("TRANS", "ROT"), dialect="siemens")[0])
@@ -49,7 +49,10 @@ def test_macros_name_the_way_to_unroll_them(bench: Bench) -> None:
     program = "G21 G90\nG0 X0. Y0. Z0.\n" + "#1=5\nG1 X#1 F9\n" * 4
     for dialect in (None, "linuxcnc"):
         first = faults_of(bench, program, dialect=dialect)[0]
-        assert "8 blocks hold macros, variables or expressions; --via-linuxcnc (LinuxCNC installed here) has its" in str(first)
+        assert (
+            "8 blocks hold macros, variables or expressions; --via-linuxcnc (LinuxCNC installed here) has its"
+            in str(first)
+        )
     assert "--via-linuxcnc" not in str(faults_of(bench, program, dialect="fanuc")[0])
     [alone] = faults_of(bench, "G0 X#1\n")  # one fault is read at once, and names the way itself
     assert "blocks hold macros" not in str(alone)
@@ -74,8 +77,8 @@ def test_a_work_offset_that_is_not_given_is_named(bench: Bench) -> None:
     first, *each = faults_of(bench, "G21 G90 G17\nG0 X-1030. Y-1000.0002 Z0.\nG2 X-990. I20. J0.\nG1 X-980. F99\n")
     assert len(each) == 2  # the arc is followed, too
     assert str(first) == (
-        "in.nc: X reaches -1030 to -980, and its travel is from -1000 to 1000, Y reaches -1000 to -980.001, and its travel "
-        "is from -1000 to 1000: 2 blocks are outside; moved by at least X+30 mm Y+0.001 mm it fits: no work offset is "
+        "in.nc: X reaches -1030 to -980, and its travel is from -1000 to 1000, Y reaches -1000 to -980.001, and its "
+        "travel is from -1000 to 1000: 2 blocks are outside; moved by at least X+30 mm Y+0.001 mm it fits: no work offset is "
         "given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
     )
     program = "0 BEGIN PGM A MM\n1 L X+5 Y+5 Z+1001 R0 FMAX\n2 END PGM A MM\n"

@@ -149,6 +149,8 @@ def test_its_positions_are_said_to_be_those_of_the_machine(bench: Bench) -> None
     offsets = Offsets({"G54": {axis: (value, value) for axis, value in zip("XYZ", (100.0, 50.0, 0.0), strict=True)}})
     program = "G20 G90 G54 G17\nG0 X1. Y1. Z1.\nX5.\n"
     bench.run(program, XyzMachine({"EXX": lambda x: 6e-5 * x}), offsets=offsets)
-    assert "go to X227 Y75.4 Z25.4 (line 3), in machine coordinates, mm: no work offset and no tool length" in bench.told
+    assert (
+        "go to X227 Y75.4 Z25.4 (line 3), in machine coordinates, mm: no work offset and no tool length" in bench.told
+    )
     bench.run("G21 G90\nG0 X90. Y20. Z30. A0. C0.\nC90.\n", constant(TEXTS["table-table"], {"EXX": 0.15}))
     assert ", in machine coordinates, mm and deg: " in bench.told

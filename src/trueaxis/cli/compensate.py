@@ -63,9 +63,9 @@ sets their step. Where the tool axis is within 0.57 deg of parallel to a rotary 
 corrected in one direction without a large turn: the rotary axis then keeps its programmed position, and the report
 names the lines.
 
-exit status: 0 done, the last line is `written: PROGRAM`; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
-at whose end their words stop, or the program moves nothing: the last line is `PROGRAM: written, but not good:` and why;
-or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
+exit status: 0 done, the last line is `written: PROGRAM`; 1 done, but points did not converge, stay above a tolerance
+or would leave the travel, at whose end their words stop, or the program moves nothing: the last line is
+`PROGRAM: written, but not good:` and why; or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
 `PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong and nothing was written. A rapid in machine
 coordinates (G53 G0 Z0.) that stops at the end of travel is a note."""
 

@@ -206,8 +206,9 @@ def _add_verbosity(parser: argparse.ArgumentParser) -> None:
     """Add both options. Neither has a default: that of a command would undo what stands before it."""
     for short, long, what in (
         ("-v", "--verbose", "list what is read, done and written, on standard error"),
-        ("-q", "--quiet", "no warnings and no progress on standard error; faults stay, and the report with its own WARNING lines and notes"),
-    ):
+        ("-q", "--quiet",
+         "no warnings and no progress on standard error; faults stay, and the report with its WARNING lines and notes"),
+    ):  # fmt: skip
         parser.add_argument(
             short, long, dest="verbosity", action="store_const", const=VERBOSITY[short], default=argparse.SUPPRESS,
             help=what,

@@ -203,7 +203,12 @@ def compensated(
     name = name or str(program)
     language = language or language_of(program)
     settings = _fitting(settings, model, language)
-    faults, notes, vouched, head = FaultLog(file=name, placed=language == "apt"), Notes(), settings.pass_m, head_of(program)
+    faults, notes, vouched, head = (
+        FaultLog(file=name, placed=language == "apt"),
+        Notes(),
+        settings.pass_m,
+        head_of(program),
+    )
     made: Unrolled | None = None
     faults.add_option("--spindle-tool", settings.unknown_tool)
     if via_linuxcnc is not None:

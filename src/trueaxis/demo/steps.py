@@ -122,7 +122,9 @@ def _as_the_paper(out: Path, seed: int) -> None:
         written = f"--out compensated/s_path_{way}.nc --report compensated/s_path_{way}.json"
         _command(out, f"{compensate} programs/s_path.cl {written} --ball {ball} {options}")
     for run in ("ccw", "cw"):
-        _command(out, f"{compensate} programs/circle_{run}.nc --out compensated/circle_{run}.nc {inputs.circle_options()}")
+        _command(
+            out, f"{compensate} programs/circle_{run}.nc --out compensated/circle_{run}.nc {inputs.circle_options()}"
+        )
     _ballbar_plans(out)
     for when in ("before", "after"):
         plan = f"--data ballbar_{when}_plan --out ballbar_{when}"

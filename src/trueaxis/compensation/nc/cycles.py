@@ -31,7 +31,6 @@ OWN_WORDS = "G80 before it, or P and Q (0 for none) in the block"
 WHOLE_PECK = "Q with a decimal point: without one some controls count it in steps of 0.001 mm whatever --integers says"
 
 
-
 class CycleReader:
     """Reads the canned cycles of one program."""
 
@@ -136,7 +135,11 @@ class CycleReader:
             (bool(meaning.centre), f"I or J in a block of {name}", "the words of a cycle alone"),
             (bool(meaning.uncertain_codes), f"{meaning.uncertain_codes} in a block of {name}", "a block of its own"),
             (not named, f"{name} without X, Y or Z: whether it drills differs by control", "X or Y in the block"),
-            (cycle.z is None or cycle.r is None, f"{name} without Z and R", z_and_r(self._settings, state.absolute or state.cycle is None)),
+            (
+                cycle.z is None or cycle.r is None,
+                f"{name} without Z and R",
+                z_and_r(self._settings, state.absolute or state.cycle is None),
+            ),
             (cycle.pecks and not cycle.peck > 0.0, f"{name} without Q above 0", "the depth of a peck"),
             (peck_in_doubt(cycle, self._settings), f"{name} Q{cycle.peck:g} is deeper than the hole", WHOLE_PECK),
             (repeats is None, f"L or K of {name} is no number of repeats", f"from 1 to {MOST_REPEATS}"),

@@ -104,7 +104,8 @@ _OFFSET = Refused("gives the positions in a shifted frame", WITHOUT_IT)
 _TOOL = Refused("shifts positions by a tool value that is not in the program", WITHOUT_IT)
 _RADIUS = Refused(
     "compensates the cutter's radius, which is not in the program",
-    "have the path of the cutter's centre written, or, on LinuxCNC, --via-linuxcnc (LinuxCNC installed here) with --tools",
+    "have the path of the cutter's centre written, or, on LinuxCNC, --via-linuxcnc with --tools "
+    "(LinuxCNC installed here)",
 )
 _CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIONS)
 TAP_APART = "tap in a program of its own, which is run as it is: G0 and G1 would not turn with the spindle"
@@ -197,4 +198,8 @@ def refused(code: int, dialect: str | None) -> Refused:
 def numbers_for(dialect: str | None) -> str:
     """What to do about a macro, a variable or an expression."""
     here = "write the numbers, and the blocks that are run, themselves"
-    return f"--via-linuxcnc (LinuxCNC installed here) unrolls it, for a LinuxCNC control; else {here}" if dialect in (None, "linuxcnc") else here
+    return (
+        f"--via-linuxcnc (LinuxCNC installed here) unrolls it, for a LinuxCNC control; else {here}"
+        if dialect in (None, "linuxcnc")
+        else here
+    )

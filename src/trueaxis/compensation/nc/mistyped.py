@@ -25,7 +25,7 @@ _MOST = 9  # numbers of a block that are put right: a hostile block costs no mor
 
 
 class Mistyped(NamedTuple):
-    """What is wrong with a number, and the block with it put right."""
+    """What is wrong with a word, and the block with it put right; empty where nobody knows how."""
 
     problem: str
     mended: str
@@ -63,7 +63,8 @@ def read_mended(body: str, read: Callable[[str], _R]) -> tuple[_R, str]:
 
     read: takes words from a text; its result names a number that is mistyped, and the text with it put right.
     """
-    found, wrong = read(body), []
+    wrong: list[str] = []
+    found = read(body)
     while found.mended and len(wrong) < _MOST:
         wrong.append(found.problem)
         found = read(found.mended)

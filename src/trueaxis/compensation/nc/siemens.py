@@ -23,7 +23,7 @@ from trueaxis.compensation.nc.lexer import (
     beyond,
     decimals_of,
 )
-from trueaxis.compensation.nc.mistyped import mistyped
+from trueaxis.compensation.nc.mistyped import Mistyped, mistyped
 from trueaxis.compensation.nc.rotary_ways import WAYS, problems_of
 
 _BLANK = re.compile(r"[ \t]++")
@@ -112,10 +112,8 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = found.end()
         elif (spindle := _SPINDLE.match(body, place)) and (body[place] in "Ss" or spindle[1] in _SPINDLE_CODES):
             place = spindle.end()
-        elif slip := mistyped(body, place):
-            problem, mended = f"column {place + 1}: {slip.problem}", slip.mended
         elif wrong := _no_word(body, place):
-            problem = f"column {place + 1}: {wrong}"
+            problem, mended = f"column {place + 1}: {wrong.problem}", wrong.mended
         elif keyword := _KEYWORD.match(body, place):
             name, arguments = keyword[0].upper(), _ARGUMENTS.match(body, keyword.end())
             functions.append(Function(name, arguments[0].strip() if arguments else None))
@@ -132,13 +130,16 @@ def _passed(body: str, place: int, first: bool) -> re.Match[str] | None:
     return next((match for pattern in patterns if (match := pattern.match(body, place))), None)
 
 
-def _no_word(body: str, place: int) -> str:
-    """What is wrong with what stands there; empty where it is a keyword."""
+def _no_word(body: str, place: int) -> Mistyped | None:
+    """What is wrong with what stands there; None where it is a keyword."""
+    if slip := mistyped(body, place):
+        return slip
     statement = _STATEMENT.match(body, place)
     if statement is None and _KEYWORD.match(body, place):
-        return ""
+        return None
     what = _ASSIGNED_WORDS.get(statement[0].rstrip("= \t").upper()) if statement else None
-    return f"{body[place : place + 20]!r} {what or 'is no word whose value is in the program: write the number itself'}"
+    what = what or "is no word whose value is in the program: write the number itself"
+    return Mistyped(f"{body[place : place + 20]!r} {what}", mended="")
 
 
 def _call(body: str, place: int) -> tuple[Function, int] | None:
