@@ -78,8 +78,8 @@ def test_a_work_offset_that_is_not_given_is_named(bench: Bench) -> None:
     assert len(each) == 2  # the arc is followed, too
     assert str(first) == (
         "in.nc: X reaches -1030 to -980, and its travel is from -1000 to 1000, Y reaches -1000 to -980.001, and its "
-        "travel is from -1000 to 1000: 2 blocks are outside; moved by at least X+30 mm Y+0.001 mm it fits: no work offset is "
-        "given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
+        "travel is from -1000 to 1000: 2 blocks are outside; moved by at least X+30 mm Y+0.001 mm it fits: no work "
+        "offset is given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
     )
     program = "0 BEGIN PGM A MM\n1 L X+5 Y+5 Z+1001 R0 FMAX\n2 END PGM A MM\n"
     assert ": no preset is given; --offset G54=X..,Y..,Z.. says" in str(faults_of(bench, program)[0])

@@ -65,9 +65,9 @@ names the lines.
 
 exit status: 0 done, the last line is `written: PROGRAM`; 1 done, but points did not converge, stay above a tolerance
 or would leave the travel, at whose end their words stop, or the program moves nothing: the last line is
-`PROGRAM: written, but not good:` and why; or nothing was written: refused for its uncertainty or by --max-u or --max-correction: the last line begins with
-`PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong and nothing was written. A rapid in machine
-coordinates (G53 G0 Z0.) that stops at the end of travel is a note."""
+`PROGRAM: written, but not good:` and why; or nothing was written: refused for its uncertainty or by --max-u or
+--max-correction: the last line begins with `PROGRAM: not written:`, and --report writes nothing; 2 the input is wrong
+and nothing was written. A rapid in machine coordinates (G53 G0 Z0.) that stops at the end of travel is a note."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

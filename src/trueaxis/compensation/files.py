@@ -25,13 +25,12 @@ from trueaxis.compensation.dialects import (
 )
 from trueaxis.compensation.foreign import NO_BLOCK, is_empty
 from trueaxis.compensation.klartext.reader import KlartextReader
-from trueaxis.compensation.linuxcnc.blocks import Unrolled
 from trueaxis.compensation.linuxcnc.unrolled import check_unrolled, of_source, unrolled_first
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.moves import Move, Notes
 from trueaxis.compensation.nc.reader import NcReader
-from trueaxis.compensation.overview import FEW, for_another_control, overview
+from trueaxis.compensation.overview import raise_explained
 from trueaxis.compensation.path import MoveTable
 from trueaxis.compensation.program import Compensator
 from trueaxis.compensation.reliance import Judge
@@ -203,13 +202,8 @@ def compensated(
     name = name or str(program)
     language = language or language_of(program)
     settings = _fitting(settings, model, language)
-    faults, notes, vouched, head = (
-        FaultLog(file=name, placed=language == "apt"),
-        Notes(),
-        settings.pass_m,
-        head_of(program),
-    )
-    made: Unrolled | None = None
+    vouched, head = settings.pass_m, head_of(program)
+    faults, notes, made = FaultLog(file=name, placed=language == "apt"), Notes(), None
     faults.add_option("--spindle-tool", settings.unknown_tool)
     if via_linuxcnc is not None:
         faults.raise_if_any()  # LinuxCNC is given the tool
@@ -238,9 +232,7 @@ def compensated(
                 blocks_out, ends_whole = blocks_out + piece.count("\n"), piece.endswith("\n")
     if lines.empty:
         faults.add(1, *NO_BLOCK)
-    if faults.count > FEW and (other := for_another_control(faults, said, seen)):
-        raise InputError([other])  # what it would be for the control that is named helps nobody
-    faults.raise_if_any(overview(faults, model, said, seen, head))
+    raise_explained(faults, model, said, seen, head)
     report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
     if made is not None:
         report = of_source(report, program, vouched)

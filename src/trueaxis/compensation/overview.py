@@ -21,33 +21,27 @@ _ROUNDING = 1e-6  # of a step: what doubles lose
 _UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
 
 
-def overview(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Dialect | None, head: str) -> list[Fault]:
-    """What explains the faults. said: the control that the user names; seen: the one whose language it looks like;
-    head: how the file begins.
+def raise_explained(faults: FaultLog, model: ErrorModel, said: Dialect | None, seen: Dialect | None, head: str) -> None:
+    """Raise InputError where there are faults, what explains them first. said: the control that the user names; seen:
+    the one whose language it looks like; head: how the file begins.
     """
     if not faults.count:
-        return []
+        return
+    first: list[Fault] = []
     if (foreign := looks_like(head)) is not None:
-        return [Fault(faults.file, "line 1", *foreign)]
-    found = [*_mistyped(faults)]
-    if other := for_another_control(faults, said, seen):
-        found.append(other)
+        faults.raise_if_any([Fault(faults.file, "line 1", *foreign)])
+    if said is not None and seen is not None and seen != said:
+        problem = f"looks like a program for {NAMES[seen]}"
+        if faults.count > FEW:  # what each block would be for the control that is named helps nobody
+            problem += f"; {faults.count} faults as one for {NAMES.get(said, said)} are not listed"
+            raise InputError([Fault(faults.file, "", problem, f"--dialect {seen}")])
+        first.append(Fault(faults.file, "", problem, f"--dialect {seen}"))
     elif faults.macros > FEW and said in _UNROLLABLE:
-        found.append(
+        first.append(
             Fault(faults.file, "", f"{faults.macros} blocks hold macros, variables or expressions",
                   "--via-linuxcnc (LinuxCNC installed here) has its interpreter unroll them")
         )  # fmt: skip
-    return [*found, *_travel(faults, model, said or seen)]
-
-
-def for_another_control(faults: FaultLog, said: Dialect | None, seen: Dialect | None) -> Fault | None:
-    """That the program looks like one for a control that the user does not name; None where it does not."""
-    if said is None or seen is None or seen == said:
-        return None
-    problem = f"looks like a program for {NAMES[seen]}"
-    if faults.count > FEW:
-        problem += f"; {faults.count} faults as one for {NAMES.get(said, said)} are not listed"
-    return Fault(faults.file, "", problem, f"--dialect {seen}")
+    faults.raise_if_any([*_mistyped(faults), *first, *_travel(faults, model, said or seen)])
 
 
 @contextmanager
