@@ -131,6 +131,7 @@ def note_outside(
     positions, owner = path.points, path.owner
     unknown = np.zeros(len(moves), dtype=bool)  # where the linear axes stand
     if isinstance(model, PointControlled):
+        faults.by_tip = True
         elsewhere = columns_of(moves.elsewhere, owner)
         unplaced = unplaced_tips(path, elsewhere, model.axes)
         for index in alike(elsewhere & unplaced):

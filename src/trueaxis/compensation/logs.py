@@ -137,7 +137,8 @@ class FaultLog:
     of any length. unplaced: the first line from which on positions are not known, as it is not where the work offset's
     zero is; None where they are known throughout. macros: blocks with macros and the like. undotted: one fault, whose
     text is made once all its blocks are known. reach: lowest and highest position of each axis by letter; outside: how
-    many blocks take it out of its travel. placed: whether a work offset was in force anywhere, or none is needed.
+    many blocks take it out of its travel. placed: whether a work offset was in force anywhere, or none is
+    needed; by_tip: whether tool centre point control was on, so that a shift of the program is none of its axes.
     """
 
     file: str
@@ -149,6 +150,7 @@ class FaultLog:
     reach: dict[str, tuple[float, float]] = field(default_factory=dict)
     outside: Counter[str] = field(default_factory=Counter)
     placed: bool = False
+    by_tip: bool = False
 
     @property
     def broken(self) -> bool:

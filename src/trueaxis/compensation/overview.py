@@ -86,7 +86,7 @@ def _travel(faults: FaultLog, model: ErrorModel, control: Dialect | None) -> Ite
     if fits:
         moved = " ".join(f"{axis}{by:+.9g} {'mm' if axis in LINEAR else 'deg'}" for axis, by in shifts.items())
         cause = _OFFSET if faults.placed else _NO_PRESET if control == "heidenhain" else _NO_OFFSET
-        remedy = f"moved by at least {moved} it fits: {cause}"
+        remedy = cause if faults.by_tip else f"moved by at least {moved} it fits: {cause}"
     are = "block is" if blocks == 1 else "blocks are"
     yield Fault(faults.file, "", f"{reached}: {blocks} {are} outside", remedy)
 
