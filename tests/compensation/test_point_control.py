@@ -224,10 +224,10 @@ def test_travel_is_that_of_the_axes_all_along_the_block(tmp_path: Path, name: st
                 continue
             with pytest.raises(InputError) as caught:
                 run(tmp_path, source, narrow, "fanuc")
-            first, fault = caught.value.faults
+            reaches, fault = caught.value.faults
             assert (fault.place, fault.problem.split(" =")[0]) == ("line 6", AXES[row])
-            assert first.problem.startswith(f"{AXES[row]} reaches ")
-            assert first.remedy.startswith("no work offset is given")  # a shift of the program is none of the axes
+            assert reaches.problem.startswith(f"{AXES[row]} reaches ")
+            assert reaches.remedy.startswith("no work offset is given")  # a shift of the program is none of the axes
     assert beyond
 
 
