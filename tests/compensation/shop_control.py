@@ -54,7 +54,7 @@ class Control:
             found = dict(words)
             number = int(found.get("N", number))
             self.block([round(value * 10) for letter, value in words if letter == "G"], found, number)
-            if found.get("M") in (2.0, 30.0):
+            if {("M", 2.0), ("M", 30.0)} & set(words):
                 break
         return self.trace
 

@@ -26,6 +26,7 @@ LENGTHS = {1: 60.0, 5: 81.5}
 OFFSETS = Offsets({"G54": {axis: (value, value) for axis, value in zip("XYZ", PRESET, strict=True)}}, {}, "G54")
 TOOLS = ToolTable({tool: Tool(length=length) for tool, length in LENGTHS.items()})
 ALONG = 0.0015  # mm: half a word in each axis, and the height of a chord
+OF_RADIUS = 0.0001  # mm: what a radius in words of 1 um adds on circles of 7 um, which random programs have
 MACHINE = paper_sized()
 PROGRAM = """\
 0 BEGIN PGM T MM
@@ -79,7 +80,7 @@ def largest_error(source: str, written: str, machine: XyzMachine = MACHINE) -> t
     before = after = 0.0
     point = np.array([[0.0], [0.0], [-meant.length]])
     for a, b in zip(meant.paths(), done.paths(), strict=True):
-        a, b = sampled(a, 0.3, least=4), sampled(b, 0.3, least=4)  # noqa: PLW2901
+        a, b = sampled(a, 0.3, least=16), sampled(b, 0.3, least=16)  # noqa: PLW2901
         path = machine.ideal(a, point)
         before = max(before, apart(machine.actual(a, point), path))
         after = max(after, apart(machine.actual(b, point), path))
@@ -251,6 +252,7 @@ BLOCKS = st.one_of(
 @settings(max_examples=25, deadline=None)
 @given(st.lists(BLOCKS, min_size=1, max_size=8))
 @example(["CR IX-0.014 IY+0.001 R+40 DR+", "CC IX+0.007 IY+0.000\nC DR+"])  # a circle about the middle of a line
+@example(["CR IX+0.000 IY-0.030 R+40 DR+", "CC IX+0.000 IY+0.007\nC DR+"])
 def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
     source = HEAD + "\n".join(blocks) + "\nEND PGM T MM\n"
     with tempfile.TemporaryDirectory() as folder:
@@ -260,7 +262,7 @@ def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
             for fault in error.faults:
                 assert re.search("radii|apart|radius 0|coincide|travel|not certain", fault.problem), fault
             return
-    assert largest_error(source, written)[1] < ALONG
+    assert largest_error(source, written)[1] < ALONG + OF_RADIUS
 
 
 TOKENS = st.sampled_from([

@@ -116,10 +116,8 @@ def identify(
     report = _of_data(found.report, measured, data.folder)
     covariance = _with_known(found.covariance, known)
     origin = origin_of(report, data.folder.resolve().name, method == "global" and prior)
-    return Identified(
-        Errors(replace(found.values, origin=origin, chain=model.machine.chain), covariance, machine=model.machine),
-        report,
-    )
+    told = replace(found.values, origin=origin, chain=model.machine.chain)
+    return Identified(Errors(told, covariance, machine=model.machine), report)
 
 
 def _of_data(report: IdentificationReport, measured: MeasuredData, folder: Path) -> IdentificationReport:
