@@ -21,11 +21,10 @@ _BLOCK = re.compile(
     re.IGNORECASE,
 )
 _FEWEST_LINES = 2
-_SHARE = (
-    0.25  # of lines that may be blocks: the programs of tests.shop_programs have 0.44 and more, texts and sources less
-)
+# of lines that may be blocks: the programs of tests.shop_programs have 0.44 and more, texts and sources less
+_SHARE = 0.25
 _SHARE_OF_BYTES = 0.5  # the same where there are bytes that no text has
-_LINES = 200
+_LINES = 200  # of the head of a file that are looked at
 _NOTHING = re.compile(r"(?:[\s\x1a\xef\xbb\xbf]|\([^()\r\n]*+\)|;[^\r\n]*+|\$\$[^\r\n]*+|%[^\r\n]*+)*")
 NO_BLOCK = ("holds no block: it is empty, or comments alone", "the program as it was written: a copy may have failed")
 

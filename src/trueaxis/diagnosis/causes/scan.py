@@ -102,9 +102,8 @@ def statistics(signature: Signature, known: Prepared, residual: Residual) -> tup
     squares, amplitudes = explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
     if gram.shape[1] > 1:
         return squares, amplitudes
-    most = np.clip(amplitudes, -signature.most, signature.most)  # no machine has more of it, whatever that explains
-    less = ((amplitudes - most) ** 2 * gram[:, 0])[:, 0]
-    return np.where(less > 0.0, squares - less, squares), most
+    possible = np.clip(amplitudes, -signature.most, signature.most)  # no machine has more, whatever that explains
+    return squares - ((amplitudes - possible) ** 2 * gram[:, 0])[:, 0], possible
 
 
 def peaks_of(statistic: FloatArray, least: float) -> tuple[int, ...]:

@@ -149,7 +149,7 @@ def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArr
 
 
 def _mounted(runs: Sequence[Run], run: IntArray, setup: IntArray, time: FloatArray | None) -> IntArray:
-    """(n,), see `Rows`."""
+    """(n,): numbers of sessions, set-ups in them and what is set up, see `Rows`; time: (n,), s."""
     anew, known = set_ups(runs, taken_runs(run, time)), dict[object, int]()
     of_rows = (
         (runs[index].session, anew.get(index, 0), like)
