@@ -10,7 +10,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null_model.base import base_of
 from trueaxis.diagnosis.null_model.descent import Here, least
-from trueaxis.diagnosis.null_model.noise_blocks import blocks_of
+from trueaxis.diagnosis.null_model.noise_blocks import Blocks
 from trueaxis.diagnosis.null_model.noise_fit import BOUNDS, FARTHEST, MISFIT, PER, SQUARES, START, Likelihood
 from trueaxis.diagnosis.null_model.noise_law import Guess
 
@@ -53,7 +53,7 @@ def likelihood() -> tuple[Likelihood, FloatArray]:
     base = base_of(case.model, case.rows)
     source = np.random.default_rng(3)
     values = SIGMA * source.standard_normal(case.rows.size)
-    block = next(blocks_of(case.rows, base, values))
+    block = next(Blocks(case.rows, base).of(values))
     groups = [one.noise_group for one in base.runs]
     of = Likelihood(block, groups, {name: Guess(SIGMA, 0.5) for name in dict.fromkeys(groups)})
     each = np.tile(START, of.units.size) * source.uniform(0.7, 1.3, PER * of.units.size)

@@ -142,7 +142,7 @@ class TestSoft:
 
 
 def test_what_divide_and_conquer_gives_up_on_is_decomposed_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
-    def gives_up(matrix: np.ndarray) -> None:
+    def gives_up(matrix: np.ndarray, full_matrices: bool) -> None:
         raise np.linalg.LinAlgError("SVD did not converge")
 
     columns = np.random.default_rng(3).standard_normal((30, 4)) @ np.diag([1.0, 1e-3, 1.0, 0.0])

@@ -14,7 +14,7 @@ from trueaxis.diagnosis.causes.search import Search, search
 from trueaxis.diagnosis.causes.signature import Readings
 from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, base_of, rough_degree
-from trueaxis.diagnosis.null_model.roughness import Roughness
+from trueaxis.diagnosis.null_model.roughness import Higher, roughness_of
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.effects.kind import Effect
@@ -39,14 +39,19 @@ def searched(values: FloatArray, *, looks: bool) -> Search:
     where = field(PLAN)
     noise = SIGMA * np.random.default_rng(4).standard_normal(where.readings.rows.size)
     ground = where.ground(values + noise)
-    return search(replace(ground, roughness=_roughness(where.readings)) if looks else ground)
+    return search(
+        replace(ground, roughness=roughness_of(_higher(where.readings), where.whitening, ground.base))
+        if looks
+        else ground
+    )
 
 
-def _roughness(readings: Readings) -> Roughness:
+def _higher(readings: Readings) -> Higher:
     where, names = field(PLAN), ("EXX", "EYX", "EZY", "EBX")
     base = base_of(readings.model, readings.rows, names)
     of = np.array(base.components)
-    return Roughness({n: base.machine.take(np.flatnonzero(of == n)[DEGREE:]).whitened(where.whitening) for n in names})
+    places = {name: np.flatnonzero(of == name)[DEGREE:] for name in names}
+    return Higher(base=where.null, columns=base.machine, places=places)
 
 
 @pytest.mark.parametrize(("component", "size"), [("EXX", 2e-3), ("EBX", 2e-5)])

@@ -11,7 +11,7 @@ from trueaxis.diagnosis.causes.imperfection import beside_forms
 from trueaxis.diagnosis.causes.neighbours import LeftOut, among, disturbed, of_one_run
 from trueaxis.diagnosis.causes.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.causes.rivals import with_best_periods
-from trueaxis.diagnosis.causes.search import MOST_CAUSES, Each, Found, Ground, Search, search
+from trueaxis.diagnosis.causes.search import MOST_CAUSES, Each, Found, Ground, Search, search, settled
 from trueaxis.diagnosis.causes.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.further_runs.audit import audit
@@ -199,7 +199,10 @@ def _beside_causes(
         changed = _changed(null.noise, fresh.noise)
         if not causes and not changed:
             continue  # the noise is no reason why nothing was found
-        anew = _searched(readings, free, fresh if changed else null, options, (*standing, *known), tried)
+        beside = fresh if changed else null
+        if not causes and not settled(_ground_of(readings, free, beside, options, (*standing, *known)), tried):
+            continue  # nor does it hide the candidate for which it made room
+        anew = _searched(readings, free, beside, options, (*standing, *known), tried)
         if causes or anew[3]:
             null, ground, found, causes = anew
             break
@@ -234,7 +237,21 @@ def _searched(
     known: Sequence[Fitted],
     start: Sequence[Found] = (),
 ) -> tuple[Null, Ground, Search, tuple[Fitted, ...]]:
-    """With the base as rough as it has to be. known: causes whose forms may lack something; start: where to begin."""
+    """With the base as rough as it has to be. start: where to begin; others: see `_ground_of`."""
+    ground = _ground_of(readings, free, null, options, known)
+    found = search(ground, start)
+    if found.rough:
+        rough = _given(rougher(readings.model, null, found.rough, options.noise_um), readings.model, options)
+        return _searched(readings, free, rough, options, known, start)
+    return null, ground, found, refit(ground, found.causes)
+
+
+def _ground_of(
+    readings: Readings, free: FloatArray, null: Null, options: DiagnoseOptions, known: Sequence[Fitted]
+) -> Ground:
+    """What is searched on. free: (n, k), mm, columns that are free besides; known: causes whose forms may lack
+    something.
+    """
     white = null.whitening
     plain = what_is_free(null, free)
     bare = Ground(
@@ -247,16 +264,11 @@ def _searched(
         values=white(null.values),
         freedom=freedom_of(null.rows, white, null.noise),
         progress=options.progress,
-        roughness=roughness_of(readings.model, null),
         rough=null.base.rough,
         each=options.each,
     )
     ground = beside_forms(bare, known)
-    found = search(ground, start)
-    if found.rough:
-        rough = _given(rougher(readings.model, null, found.rough, options.noise_um), readings.model, options)
-        return _searched(readings, free, rough, options, known, start)
-    return null, ground, found, refit(ground, found.causes)
+    return replace(ground, roughness=roughness_of(readings.memory.higher(readings.model, null), white, ground.base))
 
 
 def _given(null: Null, model: MachineModel, options: DiagnoseOptions) -> Null:

@@ -4,6 +4,7 @@ import numpy as np
 from scipy.special import betaln, chdtrc, fdtrc, gammaln
 
 SMALLEST = 1e-290  # of a probability that is told to all its digits
+LN10 = float(np.log(10.0))
 LEAST_P = 1e-12  # smaller probabilities are no figures for a reader: the tails of noise are not known so far out
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from trueaxis.diagnosis.causes.scan import LN10, Scanned
+from trueaxis.diagnosis.causes.scan import Scanned
 from trueaxis.diagnosis.causes.search import FURTHER, Found, Ground, Search, beside_causes, zoomed
-from trueaxis.estimation.tails import log_f_tail
+from trueaxis.estimation.tails import LN10, log_f_tail
 
 LIKELIEST = 3  # candidates below the threshold, beside which the noise is estimated anew
 

@@ -11,7 +11,6 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from trueaxis.diagnosis.causes.scan import LN10
 from trueaxis.diagnosis.causes.search import RIVAL, Found, Ground, Search, beside_causes, whitened_columns
 from trueaxis.diagnosis.judging.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.null_model.freedom import Freedom
@@ -22,7 +21,7 @@ from trueaxis.diagnosis.null_model.whiten import Whitening
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.outliers import NEIGHBOURS, ROUNDING
-from trueaxis.estimation.tails import log_chi2_tail
+from trueaxis.estimation.tails import LN10, log_chi2_tail
 
 # readings that are looked at beside their neighbours, those that deviate most: each costs a projection of all readings,
 # and of two that explain as much as a cause one is among the farthest

@@ -14,7 +14,7 @@ from trueaxis.diagnosis.causes.candidates import grid_of
 from trueaxis.diagnosis.causes.imperfection import beside_forms
 from trueaxis.diagnosis.causes.prepared import prepared
 from trueaxis.diagnosis.causes.refit import refit, start_of
-from trueaxis.diagnosis.causes.scan import HELD, LN10, Residual, peaks_of, statistics
+from trueaxis.diagnosis.causes.scan import HELD, Residual, peaks_of, statistics
 from trueaxis.diagnosis.causes.search import (
     RIVAL,
     WORTH_ZOOMING,
@@ -34,6 +34,7 @@ from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.effects.kind import Kind
 from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS, ZOOMS, Point, finer
+from trueaxis.estimation.tails import LN10
 
 ALIKE = 2.0 * RIVAL * LN10  # of the sums of squares, within which another period remains in the running
 FORMED = 0.75  # share of the most that is explained, from which another period may do as well with what forms may lack

@@ -13,13 +13,12 @@ from trueaxis.diagnosis.null_model.whiten import Whitening
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.amplitudes import explained
-from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
+from trueaxis.estimation.tails import LN10, log_chi2_tail, log_f_tail
 
 # Share of a peak that a grid holds at least: of a period, (sin(pi/4) / (pi/4))^2 half a step of frequency beside it. A
 # point with less than this share of the best one is beside no higher peak.
 HELD = 0.81
 FAR = 100.0  # a statistic from which the number of tries does not matter
-LN10 = float(np.log(10.0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -127,10 +127,9 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     """Forward, with all causes looked at anew given the others, until no candidate reaches the threshold."""
     first: tuple[Scanned, ...] = ()
     scans: tuple[Scanned, ...] = ()
-    causes = list(start)
-    if causes:
+    causes = settled(ground, start)
+    if start:
         first = scan_all(ground, ground.left(ground.base), ground.effects)
-        causes = _settled(ground, causes)
     while len(causes) < MOST_CAUSES:
         residual = ground.left(beside_causes(ground, causes))
         scans = scan_all(ground, residual, [one for one in ground.effects if not _told(ground, one, causes)])
@@ -141,7 +140,7 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
             return replace(search_of(ground, causes, first), rough=rough)
         if best is None or best.scan.evidence < least:
             break
-        causes = _settled(ground, [*causes, best])
+        causes = settled(ground, [*causes, best])
     for index, one in enumerate(causes):
         if rough := _rougher(ground, causes[:index] + causes[index + 1 :], one, ground.threshold):
             return replace(search_of(ground, causes, first), rough=rough)
@@ -181,7 +180,7 @@ def search_of(ground: Ground, causes: Sequence[Found], first: tuple[Scanned, ...
 
 def without(ground: Ground, found: Search, index: int) -> Search:
     """The search without one of its causes, the others looked at again."""
-    causes = _settled(ground, [one for place, one in enumerate(found.causes) if place != index])
+    causes = settled(ground, [one for place, one in enumerate(found.causes) if place != index])
     return search_of(ground, causes, found.first)
 
 
@@ -264,8 +263,9 @@ def best_of(ground: Ground, residual: Residual, scans: Sequence[Scanned]) -> Fou
     return max(found, key=lambda one: one.scan.preference)
 
 
-def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
+def settled(ground: Ground, start: Sequence[Found]) -> list[Found]:
     """Each cause looked at again given the others, until all reach what they have to; the weakest goes first."""
+    causes = list(start)
     while causes:
         for index in range(len(causes)):
             residual = ground.left(beside_causes(ground, causes[:index] + causes[index + 1 :]))

@@ -10,6 +10,8 @@ from threading import Lock
 
 import numpy as np
 
+from trueaxis.diagnosis.null_model.null import Null
+from trueaxis.diagnosis.null_model.roughness import Higher, higher_of
 from trueaxis.diagnosis.null_model.rows import Rows, as_slice
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.effects.kind import Effect, Kind
@@ -108,6 +110,14 @@ class Memory:
         self.signatures: dict[Effect, Signature] = {}
         self._left = self.ROOM
         self._terms: dict[object, Terms] = {}
+        self._higher: Higher | None = None
+
+    def higher(self, model: MachineModel, null: Null) -> Higher:
+        """Degrees beyond those of the base, of the last base that was asked for."""
+        kept = self._higher
+        if kept is None or kept.base is not null.base:
+            kept = self._higher = higher_of(model, null)
+        return kept
 
     def keep(self, signature: Signature) -> None:
         """Keep the signature of a candidate on its whole grid, unless it would take too much of the room."""

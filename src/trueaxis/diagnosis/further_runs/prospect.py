@@ -97,7 +97,7 @@ def prospect_of(ground: Ground) -> Prospect:
     unseen = scale == 0.0
     scale[unseen] = np.maximum(np.linalg.norm(white.weights[:, unseen], axis=0), 1e-300)
     q, r = np.linalg.qr(here.weights / scale)
-    left, singular, right = decomposed(r)
+    left, singular, right = decomposed(r, whole=True)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
     for part, (few, weights) in zip(parts, list(white.parts())[len(here.few) :], strict=True):

@@ -10,12 +10,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.diagnosis.causes.signature import Fitted
-from trueaxis.diagnosis.judging.misfit import groups_of
+from trueaxis.diagnosis.judging.misfit import Group, groups_of
 from trueaxis.diagnosis.null_model.null import Null, what_is_free
 from trueaxis.diagnosis.result import FloatArray
 
 SEVERAL = 2  # causes that one set-up alone carries
 TOLD = 1e-3  # share of what all readings tell of a cause, below which those of the others tell nothing of it
+ROUNDING = 1e-9  # of the largest eigenvalue of products, below which rounding is all there is
 
 
 def carried_by_one(null: Null, causes: Sequence[Fitted]) -> tuple[tuple[Fitted, ...], frozenset[str]]:
@@ -24,27 +25,40 @@ def carried_by_one(null: Null, causes: Sequence[Fitted]) -> tuple[tuple[Fitted, 
     """
     if len(causes) < SEVERAL:
         return (), frozenset()
-    signals = np.column_stack([one.signal for one in causes])
-    whole, found = _told(null, signals), dict[tuple[int, ...], list[str]]()
-    for group in groups_of(null):
-        runs = [null.base.runs[place].rows for place in group]
-        others = ~np.isin(null.rows.run, [one.index for one in runs])
-        told = _told(null.only(others), signals[others]) if others.any() else np.zeros(len(causes))
+    signals, found = np.column_stack([one.signal for one in causes]), dict[tuple[int, ...], list[str]]()
+    groups = groups_of(null)
+    whole, each = told_without(null, signals, groups)
+    for group, told in zip(groups, each, strict=True):
         lost = tuple(np.flatnonzero(told < TOLD * whole).tolist())
         if len(lost) >= SEVERAL:
-            found.setdefault(lost, []).extend(one.run.id for one in runs)
+            found.setdefault(lost, []).extend(null.base.runs[place].rows.run.id for place in group)
     if not found:
         return (), frozenset()
     most = max(found, key=len)
     return tuple(causes[k] for k in most), frozenset(found[most])
 
 
-def _told(null: Null, signals: FloatArray) -> FloatArray:
-    """(k,): whitened squares of what the base and the other signals leave of each of them, (n, k), mm."""
-    left = what_is_free(null, np.zeros((null.rows.size, 0))).rest(null.whitening(signals))
-    found = np.zeros(left.shape[1])
-    for k in range(left.shape[1]):
-        others = np.delete(left, k, axis=1)
-        rest = left[:, k] - others @ np.linalg.lstsq(others, left[:, k], rcond=None)[0]
-        found[k] = rest @ rest
+def told_without(null: Null, signals: FloatArray, groups: Sequence[Group]) -> tuple[FloatArray, list[FloatArray]]:
+    """(k,): whitened squares of what base and other signals leave of each of some, (n, k), mm; and the same without the
+    readings of each group of runs.
+
+    Readings that are free to be anything say nothing: their columns are taken away, so that nothing is fitted anew.
+    """
+    projection = what_is_free(null, np.zeros((null.rows.size, 0)))
+    left = projection.rest(null.whitening(signals))
+    products, of_rows, found = left.T @ left, projection.rest_transposed(left), []
+    for group in groups:
+        rows = np.sort(np.concatenate([null.base.runs[place].rows.at for place in group]))
+        free = np.linalg.pinv(projection.products(rows, np.eye(rows.size)), rcond=ROUNDING, hermitian=True)
+        found.append(_apart(products - of_rows[rows].T @ free @ of_rows[rows]))
+    return _apart(products), found
+
+
+def _apart(products: FloatArray) -> FloatArray:
+    """(k,): squares of what other columns leave of each, by their products, (k, k)."""
+    found = np.zeros(len(products))
+    for k in range(len(products)):
+        others = np.arange(len(products)) != k
+        inner = np.linalg.pinv(products[np.ix_(others, others)], rcond=ROUNDING, hermitian=True)
+        found[k] = products[k, k] - products[k, others] @ inner @ products[others, k]
     return found

@@ -35,11 +35,15 @@ class ByRun:
 
     def transposed(self, vectors: FloatArray, rows: IntArray | None = None) -> FloatArray:
         """(p, ...): products with vectors (n, ...), or (n_rows, ...), those of some whole runs and 0 elsewhere."""
-        ends, inside, chosen = self.ends, [vectors[:0]], [np.zeros(0, dtype=np.int64)]
+        ends, inside, chosen = self.ends, [vectors[:0]], list[slice]()
         for place, here in runs_among(self.starts, np.arange(self.starts[-1]) if rows is None else rows):
             inside.append(self.few[place].T @ vectors[here])
-            chosen.append(np.arange(ends[place], ends[place + 1]))
-        return np.asarray(self.weights[np.concatenate(chosen)].T @ np.concatenate(inside))
+            first = chosen.pop().start if chosen and chosen[-1].stop == ends[place] else ends[place]
+            chosen.append(slice(first, ends[place + 1]))
+        every = [self.weights[one] for one in chosen]  # neighbours at once, so that nothing has to be copied
+        return np.asarray(
+            (every[0] if len(every) == 1 else np.vstack([self.weights[:0], *every])).T @ np.concatenate(inside)
+        )
 
     def squares(self) -> FloatArray:
         """(n,): sum of the squares of each row."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from trueaxis.diagnosis.null_model.base import SIZES, Base
 from trueaxis.diagnosis.null_model.freedom import freedom_of_runs
-from trueaxis.diagnosis.null_model.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
+from trueaxis.diagnosis.null_model.noise_blocks import HELD, NORMAL_MEDIAN, Block, Blocks, left_of, of_repeats
 from trueaxis.diagnosis.null_model.noise_fit import restricted
 from trueaxis.diagnosis.null_model.noise_law import Found, Guess, Law
 from trueaxis.diagnosis.null_model.rows import Rows
@@ -103,9 +103,13 @@ def _estimated(
     readings make likeliest. values, before: see `noise_of_runs`.
     """
     groups = [one.noise_group for one in base.runs]
-    blocks = list(blocks_of(rows, base, values))
+    memory = None if before is None else before.blocks
+    if memory is None or memory.base is not base:
+        memory = Blocks(rows, base)
+    blocks = list(memory.of(values))
     guesses = {name: _guess(blocks, groups, name) for name in dict.fromkeys(groups)}
     laws, fit = restricted(blocks, groups, guesses, before)
+    fit = replace(fit, blocks=memory)
     silent = [name for name in guesses if laws[name].freedom < LEAST]
     if not silent:
         return laws, fit, silent

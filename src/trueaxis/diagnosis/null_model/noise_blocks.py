@@ -5,7 +5,7 @@ of a target, from one side, with one set-up; what differs between them is noise,
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise, zip_longest
 
 import numpy as np
@@ -99,22 +99,50 @@ class Block:
         return replace(self, free=directions[:, seen] * sizes[seen], by_chance=True)
 
 
-def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
-    """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
-    with the others; a run is in one block alone. The base is free.
+@dataclass(frozen=True, slots=True, eq=False)
+class Blocks:
+    """Of some rows and their base, which is free. made: those that were asked for before: only the values change where
+    the noise is told again beside causes.
     """
-    place = np.empty(rows.size, dtype=np.int64)
-    for number, run in enumerate(base.runs):
-        place[run.rows.at] = number
-    most = ENOUGH + base.columns.weights.shape[1]
-    together: list[IntArray] = []
-    for at in _in_turn(_groups(rows, place), place):
-        if together and sum(one.size for one in together) + at.size > most:
-            yield _without_far(rows, base, values, place, together)
-            together = []
-        together.append(at)
-    if together:
-        yield _without_far(rows, base, values, place, together)
+
+    rows: Rows
+    base: Base
+    made: dict[bytes, Block] = field(default_factory=dict)
+
+    def of(self, values: FloatArray) -> Iterator[Block]:
+        """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
+        with the others; a run is in one block alone. Readings that are far off are left out. values: (n,), mm.
+        """
+        place = np.empty(self.rows.size, dtype=np.int64)
+        for number, run in enumerate(self.base.runs):
+            place[run.rows.at] = number
+        most = ENOUGH + self.base.columns.weights.shape[1]
+        together: list[IntArray] = []
+        for at in _in_turn(_groups(self.rows, place), place):
+            if together and sum(one.size for one in together) + at.size > most:
+                yield self._without_far(values, place, together)
+                together = []
+            together.append(at)
+        if together:
+            yield self._without_far(values, place, together)
+
+    def _without_far(self, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+        found = self._block(values, place, groups)
+        left, share = left_of(found)
+        kept = []
+        for one, at in zip(found.parts, groups, strict=True):
+            telling = share[one.rows] > HELD
+            size = np.abs(left[one.rows])
+            spread = float(np.median(size[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
+            kept.append(at[(size <= FAR * spread) | ~telling] if spread > 0.0 else at)
+        return self._block(values, place, kept)
+
+    def _block(self, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+        every = np.concatenate(groups)
+        key = every.tobytes()
+        if key not in self.made:
+            self.made[key] = _block(self.rows, self.base, place, groups)
+        return replace(self.made[key], values=values[every])
 
 
 def _groups(rows: Rows, place: IntArray) -> list[IntArray]:
@@ -138,22 +166,8 @@ def _in_turn(groups: Sequence[IntArray], place: IntArray) -> Iterator[IntArray]:
         yield from (one for one in pair if one is not None)
 
 
-def _without_far(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
-    """The block of some groups, readings that are far off left out."""
-    found = _block(rows, base, values, place, groups)
-    left, share = left_of(found)
-    kept = []
-    for one, at in zip(found.parts, groups, strict=True):
-        telling = share[one.rows] > HELD
-        size = np.abs(left[one.rows])
-        spread = float(np.median(size[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
-        kept.append(at[(size <= FAR * spread) | ~telling] if spread > 0.0 else at)
-    if all(one.size == at.size for one, at in zip(kept, groups, strict=True)):
-        return found
-    return _block(rows, base, values, place, kept)
-
-
-def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+def _block(rows: Rows, base: Base, place: IntArray, groups: Sequence[IntArray]) -> Block:
+    """Without values."""
     parts: list[Part] = []
     start = 0
     for at in groups:
@@ -164,7 +178,7 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
     size = np.linalg.norm(free, axis=0)
     free = _less_own(parts, free)
     free = orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size])
-    return Block(parts=tuple(parts), at=every, free=free, values=values[every])
+    return Block(parts=tuple(parts), at=every, free=free, values=np.zeros(every.size))
 
 
 def _less_own(parts: Sequence[Part], columns: FloatArray) -> FloatArray:

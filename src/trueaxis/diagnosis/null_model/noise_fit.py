@@ -7,6 +7,7 @@ of V is tr(P dV) - y' P dV P y. What the base gets wrong is a part of V: a value
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -100,7 +101,12 @@ class Likelihood:
 
     def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
-        self.known = [(one.shapes(), *few_of(block.free[one.rows])) for one in block.parts]
+        self.shapes = [one.shapes() for one in block.parts]
+        # the free columns of each part as combinations of a few: products with hundreds are formed of all parts at once
+        few, weights = zip(*[few_of(block.free[one.rows]) for one in block.parts], strict=True)
+        self.few, self.weights = few, np.vstack(weights)
+        self.ends = np.cumsum([0, *(one.shape[1] for one in few)])
+        self.squares = np.add.reduceat(self.weights**2, self.ends[:-1]) if self.ends[-1] else np.zeros((len(few), 0))
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
@@ -149,9 +155,10 @@ class Likelihood:
         """Minus the logarithm, and what each part tells."""
         found, held, root = [], [], 0.0
         sizes, values = self.sizes(x), self.block.values
-        count = self.block.free.shape[1]
-        whole, of_values, squares = np.zeros(count), np.zeros(count), float(self.block.by_chance) * np.eye(count)
-        for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
+        inside, of_values = np.empty_like(self.weights), np.empty(int(self.ends[-1]))
+        least = np.empty(len(self.few))
+        of_few = [slice(*both) for both in pairwise(self.ends.tolist())]
+        for k, (part, shapes, few) in enumerate(zip(self.block.parts, self.shapes, self.few, strict=True)):
             number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit, places = sizes[number]
             white = (level * np.exp(x[self.count + part.place])) ** 2
@@ -166,10 +173,10 @@ class Likelihood:
             precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
             root += of_part
             through = precision @ np.column_stack([few, values[part.rows]])
-            inside = few.T @ through
-            squares += weights.T @ inside[:, :-1] @ weights
-            whole += np.sum(weights**2, axis=0) / alone.min()  # few are orthonormal
-            of_values += weights.T @ inside[:, -1]
+            both = few.T @ through
+            np.matmul(both[:, :-1], self.weights[of_few[k]], out=inside[of_few[k]])
+            of_values[of_few[k]] = both[:, -1]
+            least[k] = alone.min()
             held.append(through)
             found.append(
                 _Told(
@@ -183,13 +190,16 @@ class Likelihood:
                     weighed=through[:, -1],
                 )
             )
-        factor = factor_less_misfit(squares, whole)
+        squares = self.weights.T @ inside
+        squares.ravel()[:: len(squares) + 1] += float(self.block.by_chance)
+        factor = factor_less_misfit(squares, (1.0 / least) @ self.squares)  # few are orthonormal
         root += float(np.log(np.diag(factor)).sum())
-        told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
-        for one, through, (_, _, weights) in zip(found, held, self.known, strict=True):
-            of_free = solved(factor, weights.T)
-            weighed = one.weighed - through[:, :-1] @ (of_free.T @ taken)
-            rows = np.linalg.qr(of_free, mode="r") @ through[:, :-1].T
+        of_free = solved(factor, self.weights.T)
+        taken = of_free.T @ solved(factor, (self.weights.T @ of_values)[:, np.newaxis])[:, 0]
+        told = []
+        for one, through, here in zip(found, held, of_few, strict=True):
+            weighed = one.weighed - through[:, :-1] @ taken[here]
+            rows = np.linalg.qr(of_free[:, here], mode="r") @ through[:, :-1].T
             told.append(replace(one, precision=one.precision.less(rows), weighed=weighed))
             root += 0.5 * float(values[one.part.rows] @ weighed)
         return root, told

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from trueaxis.diagnosis.null_model.base import ANYWHERE
+from trueaxis.diagnosis.null_model.noise_blocks import Blocks
 from trueaxis.diagnosis.result import FloatArray
 
 
@@ -34,7 +35,7 @@ class Found:
     """sizes: (instruments, q), see `noise_fit.START`, mm and typical steps; scales: (n_runs,), of the white noise of
     each; told: (n_runs,), information on the logarithm of each; unlikely: minus the logarithm of the likelihood; times:
     what is expected the errors of the machine are, 0 where they are free; beside: what was found beside such errors, of
-    instruments of which free ones leave nothing.
+    instruments of which free ones leave nothing; blocks: of the readings that told it.
     """
 
     sizes: FloatArray
@@ -43,3 +44,4 @@ class Found:
     unlikely: float
     times: float = 0.0
     beside: "Found | None" = None
+    blocks: Blocks | None = None

@@ -80,15 +80,21 @@ class Projection:
         rooted = self._rooted(columns)
         return np.asarray(rooted - self.basis @ self.basis.transposed(rooted))
 
-    def explaining(self, rows: IntArray, columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, int]:
+    def products(self, rows: IntArray, columns: FloatArray) -> FloatArray:
+        """(k, k): of what is left of columns (n_rows, k), zero but in those rows, of whole runs."""
+        held = self.inner(columns, rows)
+        return np.asarray(columns.T @ columns - held.T @ held)
+
+    def explaining(
+        self, rows: IntArray, columns: FloatArray, residual: FloatArray, products: FloatArray | None = None
+    ) -> tuple[FloatArray, int]:
         """(n,), the combination of columns of which most is left, `rest`, of what is left of the readings, (n,).
 
-        And of how many it is the best. columns: (n_rows, k), zero but in those rows, of whole runs. From products of
-        the columns, for a quarter of what an orthonormal basis costs.
+        And of how many it is the best. columns: (n_rows, k), zero but in those rows, of whole runs; products: of them,
+        where they are known. From products of the columns, for a quarter of what an orthonormal basis costs.
         """
-        held = self.inner(columns, rows)
         whole = np.sum(columns**2, axis=0)
-        gram = columns.T @ columns - held.T @ held
+        gram = self.products(rows, columns) if products is None else products
         kept = np.diag(gram) > LEAST**2 * whole
         size = np.sqrt(np.diag(gram)[kept])
         values, vectors = np.linalg.eigh(gram[np.ix_(kept, kept)] / np.outer(size, size))
@@ -121,7 +127,7 @@ class Projection:
         turned, deviation, _ = decomposed(r)
         kept = deviation > SLIGHT
         shrink = 1.0 - 1.0 / np.sqrt(1.0 + deviation[kept] ** 2)
-        return Projection(self.basis, q @ turned[:, : deviation.size][:, kept], shrink)
+        return Projection(self.basis, q @ turned[:, kept], shrink)
 
     def _rooted(self, columns: FloatArray) -> FloatArray:
         if not self.soft.size:
@@ -131,12 +137,15 @@ class Projection:
         return np.asarray(columns - self.soft @ scaled)
 
 
-def decomposed(matrix: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Singular value decomposition: where LAPACK's divide and conquer gives up, by its older routine."""
+def decomposed(matrix: FloatArray, whole: bool = False) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Singular value decomposition: where LAPACK's divide and conquer gives up, by its older routine.
+
+    whole: with the directions that belong to no singular value, too.
+    """
     try:
-        left, singular, right = np.linalg.svd(matrix)
+        left, singular, right = np.linalg.svd(matrix, full_matrices=whole)
     except np.linalg.LinAlgError:
-        left, singular, right = svd(matrix, lapack_driver="gesvd")
+        left, singular, right = svd(matrix, full_matrices=whole, lapack_driver="gesvd")
     return left, singular, right
 
 

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnosis.causes.scan import LN10
-from trueaxis.diagnosis.null_model.base import DEGREE, base_of
+from trueaxis.diagnosis.null_model.base import DEGREE, Base, base_of
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.freedom import Freedom
 from trueaxis.diagnosis.null_model.null import Null
 from trueaxis.diagnosis.null_model.projection import Projection
-from trueaxis.diagnosis.result import FloatArray
-from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
+from trueaxis.diagnosis.null_model.whiten import Whitening
+from trueaxis.diagnosis.result import FloatArray, IntArray
+from trueaxis.estimation.tails import LN10, log_chi2_tail, log_f_tail
 from trueaxis.model.model import MachineModel
 
 
@@ -30,17 +30,33 @@ class Rough:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Roughness:
-    """higher: (n, k) columns, whitened, of the degrees beyond the base of every component that has none of them yet."""
+class Higher:
+    """Columns in mm of all components with degrees beyond those of a base, and the places of these among them, whatever
+    the noise is.
+    """
 
-    higher: Mapping[str, ByRun]
+    base: Base
+    columns: ByRun
+    places: Mapping[str, IntArray]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Roughness:
+    """Of every component that has no degrees beyond the base yet. higher: (n, k) columns of these, whitened; products:
+    (k, k), of what the base without causes leaves of them.
+    """
+
+    higher: Mapping[str, FloatArray]
+    products: Mapping[str, FloatArray]
 
     def roughest(self, projection: Projection, values: FloatArray, freedom: Freedom) -> Rough | None:
         """Of what the base, with causes, leaves of the readings, (n,) whitened; None where none explains any of it."""
         left, every = projection.rest(values), np.arange(values.size)
         back, found = projection.rest_transposed(left), []
         for name, columns in self.higher.items():
-            combination, k = projection.explaining(every, columns.dense(), left)
+            of_causes = projection.inner_causes.T @ columns
+            products = self.products[name] - of_causes.T @ of_causes
+            combination, k = projection.explaining(every, columns, left, products)
             statistic = float(combination @ back)
             if k == 0 or statistic <= 0.0:
                 continue
@@ -50,11 +66,18 @@ class Roughness:
         return max(found, key=lambda one: one.preference, default=None)
 
 
-def roughness_of(model: MachineModel, null: Null) -> Roughness:
+def higher_of(model: MachineModel, null: Null) -> Higher:
     """Linear in the number of readings, times columns of all components."""
     names = [name for name in null.base.bases if name not in null.base.rough]
     base = base_of(model, null.rows, names)
     of_component = np.array(base.components)
     higher = {name: np.flatnonzero(of_component == name)[DEGREE:] for name in names}
-    white = base.machine.whitened(null.whitening)  # once for all: what the columns are combined of is the same
-    return Roughness({name: white.take(mine) for name, mine in higher.items()})
+    return Higher(base=null.base, columns=base.machine, places=higher)
+
+
+def roughness_of(higher: Higher, whitening: Whitening, base: Projection) -> Roughness:
+    """With the noise of the readings as it is now. base: before causes are known."""
+    white = higher.columns.whitened(whitening)  # once for all: what the columns are combined of is the same
+    columns = {name: white.take(mine).dense() for name, mine in higher.places.items()}
+    every = np.arange(whitening.starts[-1])
+    return Roughness(columns, {name: base.products(every, one) for name, one in columns.items()})
