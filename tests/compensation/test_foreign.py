@@ -8,7 +8,7 @@ import pytest
 from tests.compensation.analytic_machine import XyzMachine
 from tests.compensation.control import Bench
 from trueaxis.compensation.offsets import Offsets
-from trueaxis.compensation.overview import foreign_first
+from trueaxis.compensation.overview import foreign_alone
 from trueaxis.io.faults import Fault, InputError
 
 CSV = "x,y,z\n" + "".join(f"{k},{2 * k},0\n" for k in range(10))
@@ -40,8 +40,8 @@ def faults_of(bench: Bench, program: str | bytes, **settings: Any) -> tuple[Faul
         ("import os\nfor i in range(3):\n    print(i)\n", "0 of its first 3 lines may be blocks"),
     ],
 )
-def test_a_file_that_is_no_program_is_told_first(bench: Bench, content: str | bytes, what: str) -> None:
-    first = str(faults_of(bench, content)[0])
+def test_a_file_that_is_no_program_is_told_alone(bench: Bench, content: str | bytes, what: str) -> None:
+    first = "".join(map(str, faults_of(bench, content)))
     assert first.startswith("in.nc: line 1: looks like no NC program: ")
     assert what in first
     assert first.endswith("; the program that a CAM system or the control wrote")
@@ -147,7 +147,7 @@ def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:
     blocks = "".join(f"G1 X{k},5 F100.\n" for k in range(9))
     found = faults_of(bench, f"G21 G90\nG0 X5 Y1. Z1.\n{blocks}M30\n")
     assert str(found[0]) == (
-        "in.nc: line 3: 9 or more numbers are mistyped; the first: X0,5 has a decimal comma: write a decimal point "
+        "in.nc: line 3: 9 blocks hold mistyped numbers; the first: X0,5 has a decimal comma: write a decimal point "
         "(X0.5); numbers with a decimal point throughout"
     )
 
@@ -157,10 +157,10 @@ def test_what_has_an_o_of_its_own_is_not_mistyped(bench: Bench, block: str) -> N
     assert "letter O" not in "".join(map(str, faults_of(bench, f"G21 G90\nG0 X1. Y1. Z1.\n{block}\nM30\n")))
 
 
-def test_it_is_told_before_what_an_interpreter_says() -> None:
+def test_it_is_told_in_place_of_what_an_interpreter_says() -> None:
     refused = Fault("in.nc", "line 1", "LinuxCNC refuses the program: Bad character '%' used")
-    for head, places in (("%PDF-1.4\n", 2), ("G0 X1\n", 1)):
-        with pytest.raises(InputError) as error, foreign_first("in.nc", head):
+    for head, told in (("%PDF-1.4\n", "looks like no NC program"), ("G0 X1\n", "LinuxCNC refuses")):
+        with pytest.raises(InputError) as error, foreign_alone("in.nc", head):
             raise InputError([refused])
-        assert len(error.value.faults) == places
-        assert error.value.faults[-1] == refused
+        (fault,) = error.value.faults
+        assert told in fault.problem

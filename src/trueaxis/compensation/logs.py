@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import LINEAR, ROTARY, FloatArray
+from trueaxis.compensation.nc.mistyped import Slip, Slips
 from trueaxis.io.faults import Fault, InputError
 
 LINES_KEPT = 50
@@ -138,7 +139,8 @@ class FaultLog:
     zero is; None where they are known throughout. macros: blocks with macros and the like. undotted: one fault, whose
     text is made once all its blocks are known. reach: lowest and highest position of each axis by letter; outside: how
     many blocks take it out of its travel. placed: whether a work offset was in force anywhere, or none is
-    needed; by_tip: whether tool centre point control was on, so that a shift of the program is none of its axes.
+    needed; by_tip: whether tool centre point control was on, so that a shift of the program is none of its axes;
+    mistyped: blocks with mistyped numbers, and the first of each kind.
     """
 
     file: str
@@ -151,6 +153,8 @@ class FaultLog:
     outside: Counter[str] = field(default_factory=Counter)
     placed: bool = False
     by_tip: bool = False
+    mistyped: Counter[Slip] = field(default_factory=Counter)
+    first_mistyped: dict[Slip, Fault] = field(default_factory=dict)
 
     @property
     def broken(self) -> bool:
@@ -173,6 +177,14 @@ class FaultLog:
         """Note a fault from which on positions are not known: what they would be is no fault of its own."""
         self.add(line, problem, remedy)
         self._unplace(line)
+
+    def add_mistyped(self, line: int, slips: Slips) -> None:
+        """Note the mistyped numbers of a block, if it has some."""
+        if slips.problem:
+            self.add(line, slips.problem)
+            self.mistyped.update(slips.kinds)
+            for kind in slips.kinds:
+                self.first_mistyped.setdefault(kind, Fault(self.file, f"line {line}", slips.problem.partition(": ")[2]))
 
     def add_undotted(self, line: int, letters: set[str]) -> None:
         """Note a block whose numbers may count two lengths: all such blocks are one fault."""

@@ -3,12 +3,13 @@
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 from trueaxis.compensation.dialects import NAMES
 from trueaxis.compensation.foreign import looks_like
 from trueaxis.compensation.logs import FaultLog
 from trueaxis.compensation.machine import LINEAR, ErrorModel
-from trueaxis.compensation.nc.mistyped import COMMA, LETTER
+from trueaxis.compensation.nc.mistyped import Slip
 from trueaxis.compensation.settings import Dialect
 from trueaxis.io.faults import Fault, InputError
 
@@ -16,6 +17,7 @@ FEW = 3  # faults that are read one by one
 _OFFSET = "is the work offset right?"
 _NO_OFFSET = "no work offset is given; --offset G54=X..,Y..,Z.. says where the zero of the part lies in the machine"
 _NO_PRESET = "no preset is given; --offset G54=X..,Y..,Z.. says where the one that is active on the control lies"
+_MENDED = {Slip.COMMA: "numbers with a decimal point throughout", Slip.LETTER: "the digit 0 in each"}
 _STEP = 0.001  # mm, deg: of the shifts that are named
 _ROUNDING = 1e-6  # of a step: what doubles lose
 _UNROLLABLE: tuple[Dialect | None, ...] = (None, "linuxcnc")
@@ -29,7 +31,7 @@ def raise_explained(faults: FaultLog, model: ErrorModel, said: Dialect | None, s
         return
     first: list[Fault] = []
     if (foreign := looks_like(head)) is not None:
-        faults.raise_if_any([Fault(faults.file, "line 1", *foreign)])
+        raise InputError([Fault(faults.file, "line 1", *foreign)])  # what its lines would be as blocks helps nobody
     if said is not None and seen is not None and seen != said:
         problem = f"looks like a program for {NAMES[seen]}"
         if faults.count > FEW:  # what each block would be for the control that is named helps nobody
@@ -45,25 +47,22 @@ def raise_explained(faults: FaultLog, model: ErrorModel, said: Dialect | None, s
 
 
 @contextmanager
-def foreign_first(file: str, head: str) -> Iterator[None]:
-    """What the file looks like is said before the faults of an interpreter that was given it."""
+def foreign_alone(file: str, head: str) -> Iterator[None]:
+    """What the file looks like is said in place of the faults of an interpreter that was given it."""
     try:
         yield
     except InputError as error:
         if (foreign := looks_like(head)) is None:
             raise
-        raise InputError([Fault(file, "line 1", *foreign), *error.faults]) from None
+        raise InputError([Fault(file, "line 1", *foreign)]) from error
 
 
 def _mistyped(faults: FaultLog) -> Iterator[Fault]:
     """Numbers that are mistyped throughout: by the settings of what wrote the program."""
-    for what, remedy in ((COMMA, "numbers with a decimal point throughout"), (LETTER, "the digit 0 in each")):
-        some = [fault for _, fault in faults.kept if what in fault.problem]
-        if len(some) > FEW:
-            first = some[0].problem.partition(": ")[2]
-            yield Fault(
-                faults.file, some[0].place, f"{len(some)} or more numbers are mistyped; the first: {first}", remedy
-            )
+    for slip, first in faults.first_mistyped.items():
+        if (blocks := faults.mistyped[slip]) > FEW:
+            problem = f"{blocks} blocks hold mistyped numbers; the first: {first.problem}"
+            yield replace(first, problem=problem, remedy=_MENDED[slip])
 
 
 def _travel(faults: FaultLog, model: ErrorModel, control: Dialect | None) -> Iterator[Fault]:

@@ -103,8 +103,7 @@ class KlartextReader:
             return [text]
         _, optional, rest = head_of(body)
         block, wrong = read_mended(body, lex_klartext)
-        if wrong:
-            self._faults.add(number, wrong)
+        self._faults.add_mistyped(number, wrong)
         if optional and (delete := self._settings.block_delete) == "fault":
             problem = "whether this block with / is run depends on a switch"
             self._faults.add(number, problem, "say --block-delete run or --block-delete skip")

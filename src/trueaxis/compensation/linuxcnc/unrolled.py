@@ -19,7 +19,7 @@ from trueaxis.compensation.nc import m_codes
 from trueaxis.compensation.nc.modes import EXACT_SINCE
 from trueaxis.compensation.nc.tool_codes import IN_SPINDLE
 from trueaxis.compensation.offsets import Offsets, middle
-from trueaxis.compensation.overview import foreign_first
+from trueaxis.compensation.overview import foreign_alone
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Language, Settings
 from trueaxis.compensation.touched_off import OPTION as TOUCHED_OFF
@@ -59,7 +59,7 @@ def unrolled_first(
         if faults := offset_faults(program.read_bytes(), name):
             raise InputError(faults)
         offsets = _at_true_zeros(model, settings, notes)
-    with foreign_first(name, head_of(program)):
+    with foreign_alone(name, head_of(program)):
         made = unroll(
             program, package, offsets, settings.tools, name, settings.block_delete, model.axes,
             settings.reference_points, m_codes.TOOL_CHANGE in settings.pass_m, settings.spindle_tool,

@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Callable
+from enum import Enum
 from typing import NamedTuple, Protocol, TypeVar
 
-COMMA = "has a decimal comma: write a decimal point"
-LETTER = "has the letter O for a zero"
-_BOTH = f"{LETTER}, and a decimal comma"
+_COMMA = "has a decimal comma: write a decimal point"
+_LETTER = "has the letter O for a zero"
+_BOTH = f"{_LETTER}, and a decimal comma"
 _NUMBER = r"[ABCFGHIJKMPQRSTXYZ][ \t]*+=?[ \t]*+[-+]?+"
 # not of letters that begin a word of a macro with O (DO1), and of no keyword
 _END = r"(?![A-Za-z\[=(_])"
@@ -15,13 +16,20 @@ _PATTERNS = [
     (re.compile(pattern, re.IGNORECASE), problem)
     for pattern, problem in (
         (rf"{_NUMBER}(?=\d*,?\d*O)[\dO]*+,[\dO]++{_END}", _BOTH),
-        (r"[A-Z]?[ \t]*+=?[ \t]*+[-+]?+\d*+,\d++", COMMA),
-        (rf"{_NUMBER}[\d.]*O[\dO.]*+{_END}|N\d++O++(?![\w\[=(.<])", LETTER),
+        (r"[A-Z]?[ \t]*+=?[ \t]*+[-+]?+\d*+,\d++", _COMMA),
+        (rf"{_NUMBER}[\d.]*O[\dO.]*+{_END}|N\d++O++(?![\w\[=(.<])", _LETTER),
     )
 ]
 _LONGEST = 24  # characters of such a number, before and behind the place
 _POSITIONS = frozenset("XYZABCIJKR")  # of which a number without a decimal point would be a fault of its own
 _MOST = 9  # numbers of a block that are put right: a hostile block costs no more
+
+
+class Slip(Enum):
+    """What takes the place of a point or a digit."""
+
+    COMMA = ","
+    LETTER = "O"
 
 
 class Mistyped(NamedTuple):
@@ -53,19 +61,28 @@ def mistyped(body: str, place: int) -> Mistyped | None:
                 dot = "" if "." in right or right[0].upper() not in _POSITIONS else "."
                 mended = f"{body[: begin + found.start()]}{right}{dot}{body[begin + found.end() :]}"
                 return Mistyped(
-                    f"{text} {problem} ({right})" if problem == COMMA else f"{text} {problem}: {right}", mended
+                    f"{text} {problem} ({right})" if problem == _COMMA else f"{text} {problem}: {right}", mended
                 )
     return None
 
 
-def read_mended(body: str, read: Callable[[str], _R]) -> tuple[_R, str]:
-    """A block as it is meant, so that what follows is read on from where it leads, and what of it is mistyped: a fault.
+class Slips(NamedTuple):
+    """All of a block: a fault."""
+
+    kinds: frozenset[Slip] = frozenset()
+    problem: str = ""
+
+
+def read_mended(body: str, read: Callable[[str], _R]) -> tuple[_R, Slips]:
+    """A block as it is meant, so that what follows is read on from where it leads, and what of it is mistyped.
 
     read: takes words from a text; its result names a number that is mistyped, and the text with it put right.
     """
     wrong: list[str] = []
-    found = read(body)
+    found, text = read(body), body
     while found.mended and len(wrong) < _MOST:
         wrong.append(found.problem)
-        found = read(found.mended)
-    return found, ", ".join(wrong)
+        text = found.mended
+        found = read(text)
+    kinds = frozenset(one for one in Slip if text.upper().count(one.value) < body.upper().count(one.value))
+    return found, Slips(kinds, ", ".join(wrong))

@@ -24,7 +24,7 @@ from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.leader import leader_of, take_leader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
-from trueaxis.compensation.nc.mistyped import read_mended
+from trueaxis.compensation.nc.mistyped import Slips, read_mended
 from trueaxis.compensation.nc.modes import ModeReader, switch
 from trueaxis.compensation.nc.motion import MotionReader, to_reference
 from trueaxis.compensation.nc.rotary_ways import take_codes
@@ -133,8 +133,7 @@ class NcReader:
             lead = optional.end()
         named = _NAME.fullmatch(text)
         block, meaning, wrong = self._read(body, lead, named is not None)
-        if wrong:
-            self._faults.add(number, wrong)
+        self._faults.add_mistyped(number, wrong)
         for text in meaning.notes:
             self._notes.add(number, text)
         meaning.program_number |= named is not None or (aligned is not None and not block.words)
@@ -146,9 +145,9 @@ class NcReader:
                 self._notes.add(number, SWITCH["run"])
         return self._block(number, line, body, block, meaning, optional[0] if optional else "")
 
-    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning, str]:
+    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning, Slips]:
         """The words of a block, what they ask for, and what of them is mistyped."""
-        started, wrong = Meaning(), ""
+        started, wrong = Meaning(), Slips()
         if named:
             block = Block((), "")
         elif self._settings.dialect == "siemens":
