@@ -82,8 +82,11 @@ def test_faults_come_in_the_order_of_lines(bench: Bench) -> None:
 
 
 def test_a_garbage_file_of_any_length_gives_few_messages_and_the_count(bench: Bench) -> None:
-    with pytest.raises(InputError) as error:
+    with pytest.raises(InputError, match="line 1: looks like no NC program") as alone:
         bench.run("@@@@\n" * 5000)
+    assert len(alone.value.faults) == 1
+    with pytest.raises(InputError) as error:
+        bench.run("G1 X1. @@@@\n" * 5000)
     assert len(error.value.faults) == 50
     assert "5000 faults in all" in str(error.value.faults[-1])
 

@@ -13,15 +13,11 @@ import numpy as np
 
 from trueaxis.diagnosis.result import FloatArray
 
-MOST_STEPS = 100
+MOST_STEPS = 50
 NO_GAIN = 1e-2  # of a step: functions as near as that, logarithms of likelihoods, say the same
+LEAST_SHARE = 1e-3  # of a step, which is halved until it goes down
 NEARLY = 0.1  # standard deviations, by the information, from a bound
 ROUNDING = 1e-6  # of the information: directions of which less is known than rounding allows stay short
-# of the damping, in units of the information of each parameter: at the start, the least that is told from none and the
-# most; by what it falls where a step goes down as far as it should, and how it rises where none does
-FIRST, LEAST, MOST = 1.0, 1e-2, 1e6
-FALLS, RISES = 3.0, 4.0
-AS_TOLD = 0.25  # share of what the information says of a step, from which it may be trusted further
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,38 +34,33 @@ def least(
 ) -> tuple[FloatArray, float]:
     """Parameters (n,) between low and high, (n,), where nothing near is lower to NO_GAIN, and the value there.
 
-    start: (n,), within them. After MOST_STEPS, or where no step goes down, it is where the descent has come to. Steps
-    are damped as far as they have gone beyond (Marquardt, J. Soc. Ind. Appl. Math. 11, 1963): from afar the information
-    is no curvature, and halving each step anew took twice as many values.
+    start: (n,), within them. After MOST_STEPS, or where no step goes down, it is where the descent has come to.
     """
-    x, at, damping, rises = start, tell(start), FIRST, RISES
+    x, at = start, tell(start)
     for _ in range(MOST_STEPS):
-        step, gain = _step(x, at, low, high, damping)
-        if gain < NO_GAIN / max(damping, 1.0) or damping > MOST:
+        step, gain = _step(x, at, low, high)
+        share = 1.0
+        while gain > NO_GAIN and share > LEAST_SHARE:
+            there = np.clip(x + share * step, low, high)
+            after = tell(there)
+            if after.value < at.value:
+                break
+            share *= 0.5
+        else:
             break
-        there = np.clip(x + step, low, high)
-        after, moved = tell(there), there - x
-        lower = at.value - after.value
-        if not lower > 0.0:
-            damping, rises = max(rises * damping, FIRST / 10.0), 2.0 * rises
-            continue
-        told = -float(at.slope @ moved) - 0.5 * float(moved @ at.information @ moved)
-        x, at, rises = there, after, RISES
-        if lower > AS_TOLD * told:
-            damping = damping / FALLS if damping / FALLS > LEAST else 0.0
-        if lower < NO_GAIN and damping < FIRST:
+        gain, x, at = at.value - after.value, there, after
+        if gain < NO_GAIN:
             break
     return x, at.value
 
 
-def _step(x: FloatArray, at: Here, low: FloatArray, high: FloatArray, damping: float) -> tuple[FloatArray, float]:
+def _step(x: FloatArray, at: Here, low: FloatArray, high: FloatArray) -> tuple[FloatArray, float]:
     """(n,), and by how much the value is lower along it, nearly."""
     known = np.sqrt(np.maximum(np.diag(at.information), np.finfo(float).tiny))
     reach = NEARLY / known
     down, up = (x - low < reach) & (at.slope >= 0.0), (high - x < reach) & (at.slope <= 0.0)
     free = ~(down | up)
     step = np.where(down, low - x, np.where(up, high - x, 0.0))
-    scaled = (at.information / np.outer(known, known))[np.ix_(free, free)]
-    scaled.ravel()[:: len(scaled) + 1] += ROUNDING + damping
+    scaled = (at.information / np.outer(known, known))[np.ix_(free, free)] + ROUNDING * np.eye(int(free.sum()))
     step[free] = np.linalg.solve(scaled, -(at.slope / known)[free]) / known[free]
     return step, -float(at.slope @ step)
