@@ -147,9 +147,12 @@ def test_many_mistyped_numbers_are_told_once_before(bench: Bench) -> None:
     blocks = "".join(f"G1 X{k},5 F100.\n" for k in range(9))
     found = faults_of(bench, f"G21 G90\nG0 X5 Y1. Z1.\n{blocks}M30\n")
     assert str(found[0]) == (
-        "in.nc: line 3: 9 blocks hold mistyped numbers; the first: X0,5 has a decimal comma: write a decimal point "
-        "(X0.5); numbers with a decimal point throughout"
+        "in.nc: line 3: 9 blocks hold mistyped numbers; the first: column 6: X0,5 has a decimal comma: write a decimal "
+        "point (X0.5); numbers with a decimal point throughout"
     )
+    blocks = "".join(f"L X+{k},5 F100\n" for k in range(9))
+    found = faults_of(bench, f"BEGIN PGM T MM\nL X+1 Y+1 Z+1 FMAX\n{blocks}END PGM T MM\n")
+    assert "9 blocks hold mistyped numbers; the first: X+0,5 has a decimal comma" in str(found[0])
 
 
 @pytest.mark.parametrize("block", ["GOTO 10", "N10 O100", "G65 P1 D1", "DO1"])

@@ -140,7 +140,7 @@ class FaultLog:
     text is made once all its blocks are known. reach: lowest and highest position of each axis by letter; outside: how
     many blocks take it out of its travel. placed: whether a work offset was in force anywhere, or none is
     needed; by_tip: whether tool centre point control was on, so that a shift of the program is none of its axes;
-    mistyped: blocks with mistyped numbers, and the first of each kind.
+    mistyped: how many blocks hold mistyped numbers of each kind; first_mistyped: the first of them.
     """
 
     file: str
@@ -184,7 +184,7 @@ class FaultLog:
             self.add(line, slips.problem)
             self.mistyped.update(slips.kinds)
             for kind in slips.kinds:
-                self.first_mistyped.setdefault(kind, Fault(self.file, f"line {line}", slips.problem.partition(": ")[2]))
+                self.first_mistyped.setdefault(kind, Fault(self.file, f"line {line}", slips.problem))
 
     def add_undotted(self, line: int, letters: set[str]) -> None:
         """Note a block whose numbers may count two lengths: all such blocks are one fault."""

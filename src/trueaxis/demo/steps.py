@@ -197,7 +197,7 @@ def _along(report: Path) -> tuple[float, float]:
 
 
 def _draw_map(out: Path, model: MachineModel, wanted: np.ndarray, errors: dict[str, PathErrors]) -> None:
-    shown = {way: one for way, one in errors.items() if way != "ordinary"}  # rounded words leave as much of iterative
+    shown = {way: one for way, one in errors.items() if way != "ordinary"}  # its words are those of `iterative`, nearly
     path = model.ideal(wanted, np.zeros((3, 1)))
     write_files(
         {out / "error_map.png": error_map(path, shown, "S path: positioning error E (Eq. 6), words of 0.001 mm")}

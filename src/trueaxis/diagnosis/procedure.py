@@ -11,7 +11,7 @@ from trueaxis.diagnosis.causes.imperfection import beside_forms
 from trueaxis.diagnosis.causes.neighbours import LeftOut, among, disturbed, of_one_run
 from trueaxis.diagnosis.causes.refit import refit, refitted_columns, standing_effects
 from trueaxis.diagnosis.causes.rivals import with_best_periods
-from trueaxis.diagnosis.causes.search import MOST_CAUSES, Each, Found, Ground, Search, search, settled
+from trueaxis.diagnosis.causes.search import MOST_CAUSES, Each, Found, Ground, Search, search, search_of, settled
 from trueaxis.diagnosis.causes.signature import Fitted, Readings, readings_of
 from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.further_runs.audit import audit
@@ -200,9 +200,7 @@ def _beside_causes(
         if not causes and not changed:
             continue  # the noise is no reason why nothing was found
         beside = fresh if changed else null
-        if not causes and not settled(_ground_of(readings, free, beside, options, (*standing, *known)), tried):
-            continue  # nor does it hide the candidate for which it made room
-        anew = _searched(readings, free, beside, options, (*standing, *known), tried)
+        anew = _searched(readings, free, beside, options, (*standing, *known), tried, doubted=not causes)
         if causes or anew[3]:
             null, ground, found, causes = anew
             break
@@ -236,21 +234,13 @@ def _searched(
     options: DiagnoseOptions,
     known: Sequence[Fitted],
     start: Sequence[Found] = (),
+    *,
+    doubted: bool = False,
 ) -> tuple[Null, Ground, Search, tuple[Fitted, ...]]:
-    """With the base as rough as it has to be. start: where to begin; others: see `_ground_of`."""
-    ground = _ground_of(readings, free, null, options, known)
-    found = search(ground, start)
-    if found.rough:
-        rough = _given(rougher(readings.model, null, found.rough, options.noise_um), readings.model, options)
-        return _searched(readings, free, rough, options, known, start)
-    return null, ground, found, refit(ground, found.causes)
+    """With the base as rough as it has to be.
 
-
-def _ground_of(
-    readings: Readings, free: FloatArray, null: Null, options: DiagnoseOptions, known: Sequence[Fitted]
-) -> Ground:
-    """What is searched on. free: (n, k), mm, columns that are free besides; known: causes whose forms may lack
-    something.
+    free: (n, k), mm, columns that are free besides; known: causes whose forms may lack something; start: where to
+    begin; doubted: whether nothing is looked at unless one of these stands: the noise hid none of them.
     """
     white = null.whitening
     plain = what_is_free(null, free)
@@ -268,7 +258,15 @@ def _ground_of(
         each=options.each,
     )
     ground = beside_forms(bare, known)
-    return replace(ground, roughness=roughness_of(readings.memory.higher(readings.model, null), white, ground.base))
+    if doubted and not settled(ground, start):
+        return null, ground, search_of(ground, (), ()), ()
+    higher = readings.memory.higher(readings.model, null)
+    ground = replace(ground, roughness=roughness_of(higher, white, ground.base))
+    found = search(ground, start)
+    if found.rough:
+        rough = _given(rougher(readings.model, null, found.rough, options.noise_um), readings.model, options)
+        return _searched(readings, free, rough, options, known, start)
+    return null, ground, found, refit(ground, found.causes)
 
 
 def _given(null: Null, model: MachineModel, options: DiagnoseOptions) -> Null:

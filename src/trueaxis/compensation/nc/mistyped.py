@@ -67,10 +67,13 @@ def mistyped(body: str, place: int) -> Mistyped | None:
 
 
 class Slips(NamedTuple):
-    """All of a block: a fault."""
+    """What is mistyped in a block: of which kinds, and the text of its fault, empty where nothing is."""
 
     kinds: frozenset[Slip] = frozenset()
     problem: str = ""
+
+
+NOTHING = Slips()
 
 
 def read_mended(body: str, read: Callable[[str], _R]) -> tuple[_R, Slips]:
@@ -78,8 +81,10 @@ def read_mended(body: str, read: Callable[[str], _R]) -> tuple[_R, Slips]:
 
     read: takes words from a text; its result names a number that is mistyped, and the text with it put right.
     """
-    wrong: list[str] = []
-    found, text = read(body), body
+    found = read(body)
+    if not found.mended:
+        return found, NOTHING
+    wrong, text = list[str](), body
     while found.mended and len(wrong) < _MOST:
         wrong.append(found.problem)
         text = found.mended

@@ -24,7 +24,7 @@ from trueaxis.compensation.nc.cycles import CycleReader
 from trueaxis.compensation.nc.frame_codes import FrameReader
 from trueaxis.compensation.nc.leader import leader_of, take_leader
 from trueaxis.compensation.nc.lexer import LARGEST, NUMBER, Block, Meaning, lex
-from trueaxis.compensation.nc.mistyped import Slips, read_mended
+from trueaxis.compensation.nc.mistyped import NOTHING, Slips, read_mended
 from trueaxis.compensation.nc.modes import ModeReader, switch
 from trueaxis.compensation.nc.motion import MotionReader, to_reference
 from trueaxis.compensation.nc.rotary_ways import take_codes
@@ -147,7 +147,7 @@ class NcReader:
 
     def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning, Slips]:
         """The words of a block, what they ask for, and what of them is mistyped."""
-        started, wrong = Meaning(), Slips()
+        started, wrong = Meaning(), NOTHING
         if named:
             block = Block((), "")
         elif self._settings.dialect == "siemens":

@@ -39,10 +39,11 @@ def carried_by_one(null: Null, causes: Sequence[Fitted]) -> tuple[tuple[Fitted, 
 
 
 def told_without(null: Null, signals: FloatArray, groups: Sequence[Group]) -> tuple[FloatArray, list[FloatArray]]:
-    """(k,): whitened squares of what base and other signals leave of each of some, (n, k), mm; and the same without the
-    readings of each group of runs.
+    """(k,): squares, in standard deviations of the readings, of what the base and the other signals leave of each
+    signal; and the same without the readings of each group of runs. signals: (n, k), mm.
 
-    Readings that are free to be anything say nothing: their columns are taken away, so that nothing is fitted anew.
+    A reading with an unknown of its own says nothing of anything else: that leaves it out, and nothing is fitted anew
+    (the mean shift of a deletion; Cook and Weisberg, Residuals and Influence in Regression, 1982).
     """
     projection = what_is_free(null, np.zeros((null.rows.size, 0)))
     left = projection.rest(null.whitening(signals))

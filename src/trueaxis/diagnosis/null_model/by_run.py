@@ -40,10 +40,9 @@ class ByRun:
             inside.append(self.few[place].T @ vectors[here])
             first = chosen.pop().start if chosen and chosen[-1].stop == ends[place] else ends[place]
             chosen.append(slice(first, ends[place + 1]))
-        every = [self.weights[one] for one in chosen]  # neighbours at once, so that nothing has to be copied
-        return np.asarray(
-            (every[0] if len(every) == 1 else np.vstack([self.weights[:0], *every])).T @ np.concatenate(inside)
-        )
+        parts = [self.weights[one] for one in chosen]  # neighbours at once, so that nothing has to be copied
+        weights = parts[0] if len(parts) == 1 else np.vstack([self.weights[:0], *parts])
+        return np.asarray(weights.T @ np.concatenate(inside))
 
     def squares(self) -> FloatArray:
         """(n,): sum of the squares of each row."""

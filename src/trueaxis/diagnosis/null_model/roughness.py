@@ -46,7 +46,7 @@ class Roughness:
     (k, k), of what the base without causes leaves of them.
     """
 
-    higher: Mapping[str, FloatArray]
+    higher: Mapping[str, ByRun]
     products: Mapping[str, FloatArray]
 
     def roughest(self, projection: Projection, values: FloatArray, freedom: Freedom) -> Rough | None:
@@ -54,9 +54,10 @@ class Roughness:
         left, every = projection.rest(values), np.arange(values.size)
         back, found = projection.rest_transposed(left), []
         for name, columns in self.higher.items():
-            of_causes = projection.inner_causes.T @ columns
+            dense = columns.dense()  # of one at a time: all would be as large as the base
+            of_causes = projection.inner_causes.T @ dense
             products = self.products[name] - of_causes.T @ of_causes
-            combination, k = projection.explaining(every, columns, left, products)
+            combination, k = projection.explaining(every, dense, left, products)
             statistic = float(combination @ back)
             if k == 0 or statistic <= 0.0:
                 continue
@@ -78,6 +79,6 @@ def higher_of(model: MachineModel, null: Null) -> Higher:
 def roughness_of(higher: Higher, whitening: Whitening, base: Projection) -> Roughness:
     """With the noise of the readings as it is now. base: before causes are known."""
     white = higher.columns.whitened(whitening)  # once for all: what the columns are combined of is the same
-    columns = {name: white.take(mine).dense() for name, mine in higher.places.items()}
+    columns = {name: white.take(mine) for name, mine in higher.places.items()}
     every = np.arange(whitening.starts[-1])
-    return Roughness(columns, {name: base.products(every, one) for name, one in columns.items()})
+    return Roughness(columns, {name: base.products(every, one.dense()) for name, one in columns.items()})
