@@ -122,7 +122,7 @@ def line_of(one: World, number: int) -> dict[str, object]:
     """What is kept of a machine; number: among those of its design."""
     curves, given = KINDS[number % len(KINDS)]
     found: Outcome = outcome(one, SEEDS_APART * one.design.seed + number, curves, given)
-    lengths = ("true", "error", "oracle", "one_family", "set_ups_expected", "u")
+    lengths = ("true", "error", "oracle", "one_family", "class_sizes", "set_ups_expected", "u")
     figures = (*lengths, "coverage", "oracle_coverage", "seconds")
     return {
         "design": one.design.seed,

@@ -11,16 +11,25 @@ from tests.worlds.design import Design, draw_design
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as estimated
-SIZED = ("true", "error", "oracle", "one_family", "set_ups_expected", "u")  # figures of a machine that are lengths, um
+# heading -> figure of a machine: fits of what knows more than the estimate can
+YARDSTICKS = {
+    "one family": "one_family",
+    "class sizes": "class_sizes",
+    "set-ups expected": "set_ups_expected",
+    "oracle": "oracle",
+}
+BESIDE = ("one family", "class sizes", "set-ups expected")  # in every table
+RATIOS = tuple(f"estimate/{name}" for name in BESIDE)
+SIZED = ("true", "error", "u", *YARDSTICKS.values())  # figures of a machine that are lengths, um
 OFF = (1.0, 2.0, 3.0, 5.0, 20.0, np.inf)  # factors by which [prior] is off
 
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
     """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing;
-    error over that of the oracle, of the fit that takes all curves for one family, and of that which does not know the
-    set-ups, with the standard uncertainty of these figures; coverage of smooth curves and of draws of a prior, and the
-    standard uncertainty of that of all; share of machines worse than doing nothing, and the worst one's factor.
+    ratios: yardstick -> error over its error, and the standard uncertainty of that; coverage of smooth curves and of
+    draws of a prior, and the standard uncertainty of that of all; share of machines worse than doing nothing, and the
+    worst one's factor.
     """
 
     machines: int
@@ -29,12 +38,7 @@ class Figures:
     oracle: float
     one_family: float
     left: float
-    ratio: float
-    u_ratio: float
-    to_one_family: float
-    u_to_one_family: float
-    to_expected: float
-    u_to_expected: float
+    ratios: Mapping[str, tuple[float, float]]
     u: float
     smooth: float
     prior: float
@@ -46,26 +50,19 @@ class Figures:
 
 def figures(lines: Sequence[Line]) -> Figures:
     """All machines count the same."""
-    true, error, oracle, one_family, expected, u = (np.array([line[name] for line in lines]) for name in SIZED)
+    lengths = {name: np.array([line[name] for line in lines]) for name in SIZED}
+    true, error = lengths["true"], lengths["error"]
     coverage = np.array([line["coverage"] for line in lines])
     smooth = np.array([line["curves"] == "smooth" for line in lines])
-    (ratio, u_ratio), (to_one_family, u_to_one_family), (to_expected, u_to_expected) = (
-        _ratio(error, other) for other in (oracle, one_family, expected)
-    )
     return Figures(
         machines=len(lines),
         true=rms(true),
         error=rms(error),
-        oracle=rms(oracle),
-        one_family=rms(one_family),
+        oracle=rms(lengths["oracle"]),
+        one_family=rms(lengths["one_family"]),
         left=float(np.mean(error**2) / np.mean(true**2)),
-        ratio=ratio,
-        u_ratio=u_ratio,
-        to_one_family=to_one_family,
-        u_to_one_family=u_to_one_family,
-        to_expected=to_expected,
-        u_to_expected=u_to_expected,
-        u=rms(u),
+        ratios={name: _ratio(error, lengths[figure]) for name, figure in YARDSTICKS.items()},
+        u=rms(lengths["u"]),
         smooth=_mean(coverage[smooth]),
         prior=_mean(coverage[~smooth]),
         u_coverage=_u_of_mean(coverage),
@@ -119,11 +116,8 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
     together = figures(lines)
     yield f"- {len(designs)} designs, {len(lines)} machines, {np.mean([line['seconds'] for line in lines]):.1f} s each"
     yield f"- mean square left of doing nothing, median of the designs: {np.median([one.left for one in designs]):.3f}"
-    for name, ratios in (
-        ("one family", [one.to_one_family for one in designs]),
-        ("set-ups expected", [one.to_expected for one in designs]),
-        ("oracle", [one.ratio for one in designs]),
-    ):
+    for name in YARDSTICKS:
+        ratios = [one.ratios[name][0] for one in designs]
         yield (
             f"- estimate/{name} of the designs: median {np.median(ratios):.2f}, {min(ratios):.2f} to "
             f"{max(ratios):.2f}; {sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
@@ -140,15 +134,14 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
 def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> Iterator[str]:
     yield from head(
         "seed", "axes", "readings", "runs", "machines", "doing nothing, um", "estimate", "one family", "oracle",
-        "estimate/one family", "estimate/set-ups expected", "u", "coverage: smooth", "draws of a prior",
+        *RATIOS, "u", "coverage: smooth", "draws of a prior",
         "worse than nothing; most",
     )  # fmt: skip
     for seed, one in each.items():
         plan, axes = designs[seed].plan, len(designs[seed].machine.axes)
         yield row(
             seed, axes, plan.count, len(plan.runs), one.machines, f"{one.true:.1f}", f"{one.error:.2f}",
-            f"{one.one_family:.2f}", f"{one.oracle:.2f}", f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
-            f"{one.to_expected:.2f} ± {one.u_to_expected:.2f}", f"{one.u:.2f}",
+            f"{one.one_family:.2f}", f"{one.oracle:.2f}", *_beside(one), f"{one.u:.2f}",
             f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.0%}, {one.worst:.2f}",
         )  # fmt: skip
 
@@ -156,25 +149,28 @@ def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> It
 def _by_ingredient(designs: Mapping[int, Design], of_design: Mapping[int, Sequence[Line]]) -> Iterator[str]:
     """Machines count relative to the true deviation of their design: no large machine outweighs the others."""
     yield from head(
-        "ingredient", "share of designs", "mean square left", "estimate/one family", "estimate/set-ups expected",
-        "coverage: smooth",
-        "draws of a prior", "worse than nothing",
+        "ingredient", "share of designs", "mean square left", *RATIOS,
+        "coverage: smooth", "draws of a prior", "worse than nothing",
     )  # fmt: skip
     names = next(iter(designs.values())).ingredients
     scale = {seed: rms(np.array([line["true"] for line in own])) for seed, own in of_design.items()}
     for name in names:
         chosen = [seed for seed, design in designs.items() if design.ingredients[name]]
         if not chosen:
-            yield row(name, "0 %", *[""] * 6)
+            yield row(name, "0 %", *[""] * (len(RATIOS) + 4))
             continue
         own = [_relative(line, scale[seed]) for seed in chosen for line in of_design[seed]]
         one = figures(own)
         yield row(
-            name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}",
-            f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
-            f"{one.to_expected:.2f} ± {one.u_to_expected:.2f}",
+            name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}", *_beside(one),
             f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.1%}",
         )  # fmt: skip
+
+
+def _beside(one: Figures) -> Iterator[str]:
+    """Cells of RATIOS."""
+    for ratio, u in (one.ratios[name] for name in BESIDE):
+        yield f"{ratio:.2f} ± {u:.2f}"
 
 
 def _relative(line: Line, scale: float) -> Line:
@@ -183,14 +179,13 @@ def _relative(line: Line, scale: float) -> Line:
 
 def _by_given(lines: Sequence[Line]) -> Iterator[str]:
     yield from head(
-        "[prior]", "machines", "mean square left", "estimate/one family", "estimate/set-ups expected",
+        "[prior]", "machines", "mean square left", *RATIOS,
         "coverage: smooth", "draws of a prior", "worse than nothing; most",
     )  # fmt: skip
     for given in dict.fromkeys(line["given"] for line in lines):
         one = figures([line for line in lines if line["given"] == given])
         yield row(
-            given, one.machines, f"{one.left:.3f}", f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
-            f"{one.to_expected:.2f} ± {one.u_to_expected:.2f}", f"{one.smooth:.3f}",
+            given, one.machines, f"{one.left:.3f}", *_beside(one), f"{one.smooth:.3f}",
             f"{one.prior:.3f}", f"{one.worse:.1%}, {one.worst:.2f}",
         )  # fmt: skip
 

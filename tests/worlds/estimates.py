@@ -82,16 +82,18 @@ class World:
 @dataclass(frozen=True)
 class Outcome:
     """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate, of the
-    oracle, of the same fit where it does not know the family of the curves but takes all for draws of the prior, and of
-    that where it does not know the set-ups either but expects of them what the package does; u of the estimate;
-    coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class -> given, true and estimated, mm or
-    rad, where the true one is the geometric mean over the members; seconds: of the estimate.
+    oracle, of the same fit where it does not know the family of the curves but takes all for draws of the prior, of
+    that where it knows the size of a class, not of every error, and of that where it knows every size, but not the
+    set-ups, and expects of them what the package does; u of the estimate; coverage, oracle_coverage: share of the
+    coordinates within 1.96 u; sizes: class -> given, true and estimated, mm or rad, where the true one is the geometric
+    mean over the members; seconds: of the estimate.
     """
 
     true: float
     error: float
     oracle: float
     one_family: float
+    class_sizes: float
     set_ups_expected: float
     u: float
     coverage: float
@@ -140,12 +142,14 @@ def outcome_of(
     of_oracle, u_of_oracle = _oracle(one, truth, reading)
     drawn = replace(truth, family="prior")
     of_one_family, _ = _oracle(one, drawn, reading)
+    of_class_sizes, _ = _oracle(one, replace(drawn, sizes=_class_sizes(model, truth)), reading)
     of_expected, _ = _oracle(one, drawn, reading, set_ups_known=False)
     return Outcome(
         true=rms_um(true),
         error=rms_um(off),
         oracle=rms_um(of_oracle - true),
         one_family=rms_um(of_one_family - true),
+        class_sizes=rms_um(of_class_sizes - true),
         set_ups_expected=rms_um(of_expected - true),
         u=rms_um(u),
         coverage=float((np.abs(off) <= WITHIN * u).mean()),
@@ -187,17 +191,35 @@ def _sizes(model: MachineModel, truth: Truth, found: Estimate) -> dict[str, tupl
     given = dict(
         zip(CLASSES, (prior.translation, prior.rotation, prior.location_angle, prior.location_length), strict=True)
     )
-    members: dict[str, list[float]] = {}
-    for name, size in truth.sizes.items():
+    return {
+        kind: (
+            given[kind],
+            float(np.exp(np.mean(np.log([truth.sizes[name] for name in names])))),
+            given[kind] * found.factors[kind],
+        )
+        for kind, names in _classes(model, truth).items()
+    }
+
+
+def _class_sizes(model: MachineModel, truth: Truth) -> dict[str, float]:
+    """Name of an error -> root mean square of the sizes of its class, mm or rad: as a spec can state them."""
+    return {
+        name: float(np.sqrt(np.mean([truth.sizes[other] ** 2 for other in names])))
+        for names in _classes(model, truth).values()
+        for name in names
+    }
+
+
+def _classes(model: MachineModel, truth: Truth) -> dict[str, list[str]]:
+    """Class of sizes -> names of its component and location errors."""
+    found: dict[str, list[str]] = {}
+    for name in truth.sizes:
         if name in truth.curves:
             kind = "translation" if name[1] in "XYZ" else "rotation"
         else:
             kind = f"location {model.machine.parameter_unit(name)}"
-        members.setdefault(kind, []).append(float(np.log(size)))
-    return {
-        kind: (given[kind], float(np.exp(np.mean(logs))), given[kind] * found.factors[kind])
-        for kind, logs in members.items()
-    }
+        found.setdefault(kind, []).append(name)
+    return found
 
 
 def deviations(model: MachineModel, positions: Array) -> Array:

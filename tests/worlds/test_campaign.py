@@ -20,6 +20,7 @@ def line(error: float, oracle: float, coverage: float, curves: str) -> dict[str,
         "error": error,
         "oracle": oracle,
         "one_family": 2.0 * oracle,
+        "class_sizes": 2.5 * oracle,
         "set_ups_expected": 4.0 * oracle,
         "u": 2.0,
         "coverage": coverage,
@@ -37,9 +38,9 @@ def test_machines_are_of_every_kind_in_turn() -> None:
 def test_figures_of_machines_made_by_hand() -> None:
     found = figures([line(3.0, 3.0, 1.0, "smooth"), line(4.0, 4.0, 0.9, "prior"), line(12.0, 4.0, 0.5, "prior")])
     assert found.left == pytest.approx((9.0 + 16.0 + 144.0) / 300.0)
-    assert found.ratio == pytest.approx(np.sqrt(169.0 / 41.0))
-    assert found.to_one_family == pytest.approx(0.5 * found.ratio)
-    assert found.to_expected == pytest.approx(0.25 * found.ratio)
+    expected = np.sqrt(169.0 / 41.0) / np.array([1.0, 2.0, 2.5, 4.0])
+    names = ("oracle", "one family", "class sizes", "set-ups expected")
+    assert [found.ratios[name][0] for name in names] == pytest.approx(expected)
     assert (found.smooth, found.prior) == pytest.approx((1.0, 0.7))
     assert (found.worse, found.worst) == pytest.approx((1.0 / 3.0, 1.2))
 
@@ -51,8 +52,9 @@ def test_the_uncertainty_of_a_ratio_is_its_scatter_over_campaigns() -> None:
         oracle = np.exp(0.4 * draw.standard_normal(60))
         error = 1.2 * oracle * np.exp(0.2 * draw.standard_normal(60))
         one = figures([line(a, b, 0.95, "prior") for a, b in zip(error, oracle, strict=True)])
-        ratios.append(one.ratio)
-        said.append(one.u_ratio)
+        ratio, u = one.ratios["oracle"]
+        ratios.append(ratio)
+        said.append(u)
     assert np.mean(said) == pytest.approx(np.std(ratios), rel=0.15)
 
 
