@@ -1,5 +1,6 @@
 """Candidate runs: within the travels, what they are said to be, on machines of the repository and on random ones."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,10 @@ from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
+from trueaxis.measurement.setup import Device
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import Candidate, Kit, candidates
-from trueaxis.planning.runs import RUN_MINUTES, SET_UP_MINUTES, minutes, run_minutes, set_up_of
+from trueaxis.planning.runs import RUN_MINUTES, SET_UP_MINUTES, minutes, no_runs, run_minutes, set_up_of
 
 ALL = Kit(instruments=("laser", "ballbar", "probe"))
 
@@ -89,3 +91,24 @@ def test_a_set_up_takes_its_time_once() -> None:
     assert run_minutes(same[0][0], 0) == RUN_MINUTES
     lasers = candidates(model(), Kit(instruments=("laser",)))
     assert len({set_up_of(one.run, one.positions) for one in lasers}) == len(lasers)  # other optics, or another line
+
+
+def test_what_comes_back_to_a_set_up_is_set_up_again() -> None:
+    found = candidates(model(), Kit(instruments=("ballbar",), lengths=(150.0,)))
+    keys = [set_up_of(one.run, one.positions) for one in found]
+    first, second = found[0], next(one for one, key in zip(found, keys, strict=True) if key != keys[0])
+    here, there = (first.run, first.positions), (second.run, second.positions)
+    assert minutes([here, there, here]) - minutes([here, here, there]) == pytest.approx(SET_UP_MINUTES["ballbar"])
+    other = replace(there[0], device=Device(id="another bar")), there[1]
+    assert minutes([here, other, here]) == pytest.approx(minutes([here, here, other]))  # it stays where it is
+
+
+def test_a_set_up_that_was_measured_is_no_longer_there() -> None:
+    """Runs to be added share the set-up of runs that are planned, not of those that have readings."""
+    machine = model()
+    found = candidates(machine, Kit(instruments=("ballbar",), lengths=(150.0,)))[:3]
+    planned = no_runs("here", machine.axes).with_added(found)
+    assert [run.id for run, _ in planned.to_take] == [run.id for run in planned.runs]
+    reading = np.where(planned.readings.run == 1, 0.0, np.nan)
+    measured = replace(planned, readings=replace(planned.readings, reading=reading))
+    assert [run.id for run, _ in measured.to_take] == [planned.runs[0].id, planned.runs[2].id]

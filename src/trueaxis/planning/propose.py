@@ -107,7 +107,7 @@ def propose(
     ]
     spread = before.spread / before.scale[:, np.newaxis]
     target = _target(layout, wish) * scale
-    chosen = choose(spread, target, offers, goes_on, [set_up_of(*path) for path in there.paths], least_fall)
+    chosen = choose(spread, target, offers, goes_on, [set_up_of(*path) for path in there.to_take], least_fall)
     runs = tuple(Proposed(offered[one.index], one.minutes, one.u) for one in chosen)
     return Proposal(runs, len(offered), float(np.linalg.norm(target @ spread)))
 

@@ -58,6 +58,12 @@ class PlannedRuns:
         """Every run with its positions (n_axes, n), in the order of its readings."""
         return [(run, self.readings.positions[:, self.readings.of_run(index)]) for index, run in enumerate(self.runs)]
 
+    @property
+    def to_take(self) -> list[tuple[Run, FloatArray]]:
+        """Of `paths` those of which nothing has been read: what was measured has been taken down since."""
+        measured = set(np.unique(self.readings.run[np.isfinite(self.readings.reading)]).tolist())
+        return [path for index, path in enumerate(self.paths) if index not in measured]
+
     def of(self, ids: Collection[str]) -> "PlannedRuns":
         """Some of the runs alone, as if the others were not there."""
         kept = [index for index, run in enumerate(self.runs) if run.id in ids]
@@ -170,12 +176,14 @@ def run_minutes(run: Run, readings: int) -> float:
 
 
 def minutes(runs: Iterable[tuple[Run, FloatArray]]) -> float:
-    """Of runs with their positions, each set-up once."""
-    total, done = 0.0, set[Hashable]()
+    """Of runs with their positions, as they follow one another: what comes back to a set-up of a device that has been
+    on another one is set up again.
+    """
+    total, stands = 0.0, dict[Hashable, Hashable]()
     for run, positions in runs:
         total += run_minutes(run, positions.shape[1])
-        key = set_up_of(run, positions)
-        if key not in done:
+        device, key = (run.instrument, run.device), set_up_of(run, positions)
+        if stands.get(device) != key:
             total += SET_UP_MINUTES[run.instrument]
-            done.add(key)
+            stands[device] = key
     return total
