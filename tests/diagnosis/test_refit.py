@@ -12,7 +12,7 @@ from trueaxis.diagnosis.causes.refit import refit
 from trueaxis.diagnosis.causes.search import Found, Ground, scan_all, zoomed
 from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.causes.signatures import parameter_signature
-from trueaxis.diagnosis.judging.judgement import amplitudes_of
+from trueaxis.diagnosis.judging.amplitudes import amplitudes_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 

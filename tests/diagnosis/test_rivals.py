@@ -59,6 +59,20 @@ def test_even_targets_leave_all_aliases_and_a_line_at_other_targets_would_tell()
     assert "these readings cannot tell which" in summary_text(said)
 
 
+def test_what_differs_by_less_than_forms_do_is_a_rival_however_large() -> None:
+    """Along lines an error decays alike over the way, the path and the time; a hundred times the noise tells the forms
+    apart, but no real error has one of them.
+    """
+    effect = Hidden("reversal_spike", "EXX", size=50e-3)
+    design = replace(LINES, repeats=2)
+    case = Case(1, machine="gantry", design=design, noise="white", sigma_um=0.3, given="exact", effects=(effect,))
+    given = prepared(case)
+    (cause,) = diagnose(given.model, given.data).causes
+    names = {one.effect.kind for one in (cause, *cause.rivals)}
+    assert names == {"reversal_spike", "reversal_spike_path", "reversal_spike_time"}
+    assert {one.effect.component for one in (cause, *cause.rivals)} == {"EXX"}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(1, 41))
 def test_a_pitch_that_is_named_alone_is_right_on_plans_drawn_at_random(seed: int) -> None:

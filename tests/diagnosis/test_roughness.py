@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 import pytest
+from scipy.stats import chi2
 
 from tests.diagnosis.prepared import SIGMA, Prepared, field, prepared
 from tests.hidden_effects.case import Case
@@ -14,7 +15,7 @@ from trueaxis.diagnosis.causes.search import Search, search
 from trueaxis.diagnosis.causes.signature import Readings
 from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, base_of, rough_degree
-from trueaxis.diagnosis.null_model.roughness import Higher, roughness_of
+from trueaxis.diagnosis.null_model.roughness import FURTHER_DEGREES, Higher, roughness_of
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.effects.kind import Effect
@@ -62,6 +63,24 @@ def test_what_is_rough_is_not_a_cause(component: str, size: float) -> None:
     assert searched(values, looks=False).causes != ()
     found = searched(values, looks=True)
     assert (found.rough, found.causes) == (component, ())
+
+
+def test_a_curve_that_is_a_little_rougher_is_told_by_its_next_degrees() -> None:
+    """Fourteen further degrees would be tries: what one of them explains is worth less among them."""
+    where = field(PLAN)
+    rows = where.readings.rows
+    base = base_of(where.readings.model, rows, ("EYX",))
+    column = base.machine.take(np.flatnonzero(np.array(base.components) == "EYX")[DEGREE : DEGREE + 1]).dense()[:, 0]
+    noise = SIGMA * np.random.default_rng(4).standard_normal(rows.size)
+    seen = where.base.rest(where.whitening(column))
+    ground = where.ground(noise + column * 8.0 / np.linalg.norm(seen))  # eight standard uncertainties
+    higher = roughness_of(_higher(where.readings), where.whitening, ground.base)
+    found = higher.roughest(ground.base, ground.values, ground.freedom)
+    explained = float(seen @ ground.values) ** 2 / float(seen @ seen)
+    assert found is not None
+    assert found.component == "EYX"
+    tries = len(FURTHER_DEGREES) + 1
+    assert found.preference == pytest.approx(-np.log10(chi2.sf(explained, 1) * tries), abs=0.05)
 
 
 def test_a_cyclic_error_is_one_also_where_a_rough_curve_could_follow_it() -> None:

@@ -9,6 +9,7 @@ from trueaxis.diagnosis.causes.refit import refit
 from trueaxis.diagnosis.causes.search import search
 from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.judging.amplitudes import Uneven
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.judging.verdict import explained_share, names_stand, verdict_of
 from trueaxis.diagnosis.result import Stale
@@ -24,6 +25,11 @@ DIRECTION, TEMPERATURE, RIPPLE = (
 
 def check(structure: StructureClass, fired: bool = True, excess: float = 0.0) -> Check:
     return Check(structure=structure, place="X", p_value=1e-9 if fired else 0.5, fired=fired, rms=1e-4, excess=excess)
+
+
+def uneven(*p_values: float) -> list[Uneven]:
+    """With the squares of a normal deviate that is as unlikely."""
+    return [Uneven(p, float(norm.isf(0.5 * p) ** 2)) for p in p_values]
 
 
 def cause(kind: str, component: str = "EXX") -> Fitted:
@@ -60,11 +66,11 @@ def cause(kind: str, component: str = "EXX") -> Fitted:
 )
 def test_names_stand(share: float, kind: str, fired: list[StructureClass], homogeneous_p: float, stand: bool) -> None:
     checks = [*(check(name) for name in fired), check(StructureClass.CIRCLE_FEED, fired=False)]
-    assert names_stand(share, [cause(kind)], checks, [homogeneous_p]) is stand
+    assert names_stand(share, [cause(kind)], checks, uneven(homogeneous_p)) is stand
 
 
 def test_one_cause_of_two_that_is_not_one_size_is_enough() -> None:
-    assert not names_stand(0.9, [cause("backlash"), cause("drift")], [], [0.5, 1e-5])
+    assert not names_stand(0.9, [cause("backlash"), cause("drift")], [], uneven(0.5, 1e-5))
 
 
 def test_share_is_that_of_the_squares_beyond_noise() -> None:
@@ -78,12 +84,14 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
     explained = np.sum(where.base.rest(where.whitening(causes[0].signal)) ** 2)
     left = 0.25 * explained
     # a least-squares fit leaves what is orthogonal to it: squares of the readings less squares left are its own
-    assert explained_share(ground, found, causes, [check(RIPPLE, excess=left)], [0.5]) == pytest.approx(0.8, rel=1e-3)
-    assert explained_share(ground, found, causes, [check(RIPPLE, fired=False, excess=left)], [0.5]) > 0.99
+    assert explained_share(ground, found, causes, [check(RIPPLE, excess=left)], uneven(0.5)) == pytest.approx(
+        0.8, rel=1e-3
+    )
+    assert explained_share(ground, found, causes, [check(RIPPLE, fired=False, excess=left)], uneven(0.5)) > 0.99
     assert explained_share(ground, found, (), [], []) == 0.0
     # of a size that differs from place to place, what it has more at one of them is left: its squared deviation
-    without = explained_share(ground, found, causes, [], [0.5])
-    apart = explained_share(ground, found, causes, [], [2.0 * norm.sf(30.0)])
+    without = explained_share(ground, found, causes, [], uneven(0.5))
+    apart = explained_share(ground, found, causes, [], uneven(2.0 * norm.sf(30.0)))
     assert apart == pytest.approx(explained / (explained + 900.0), rel=1e-3)
     assert apart < without - 0.01
 

@@ -19,7 +19,7 @@ from tests.worlds.diagnosis.limits import (
     limit_of_outsider,
     stated_ground,
 )
-from tests.worlds.diagnosis.signatures import ROOTS, largest, name_of, pitch_of, signature
+from tests.worlds.diagnosis.signatures import ROOTS, is_curve, largest, name_of, pitch_of, signature
 from tests.worlds.diagnosis.wear import Wear, draw_wear
 from tests.worlds.effects import Effect
 from tests.worlds.machine import LINEAR
@@ -53,7 +53,15 @@ FLAWED = 0.97  # share of what shows of an effect below which it is rather what 
 BETTER = 4.0  # by which a rival lowers the sum of squares further than the own form, so that readings speak for it
 ABSORBED_SIGMA = 300.0  # norm of the signature of an effect that no reading shows: rounding stays below the noise
 # probability with which one that cannot be named is kept all the same
-NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "flawed": 0.1, "outlying": 0.1, "too small": 0.0}
+NOT_WANTED = {
+    "absorbed": 0.12,
+    "mute": 0.15,
+    "curve": 0.3,
+    "imitated": 0.1,
+    "flawed": 0.1,
+    "outlying": 0.1,
+    "too small": 0.0,
+}
 MACHINES_APART = 1000
 OF_BARS = ("servo_lag", "reversal_spike_time")  # axes stand on lines
 DIRECTIONAL = ("backlash", "backlash_slope", "reversal_spike")
@@ -64,10 +72,10 @@ TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
 class Hidden:
     """state: isolable, confounded (with the rival), absorbed (no reading shows it), too small (even the largest is
     below its limit), mute (a column without which nobody knows it is missing), imitated (outside, but candidates can do
-    the same), flawed (what shows of it is not the form of the library: own is the share that is), outlying (what shows
-    of it is mostly two neighbours in each run, which are taken for outliers); times: size over the
-    larger of both limits, of detection where rivals cannot be told from it; detection, isolation: in the unit of the
-    size.
+    the same), curve (outside, and read as a changed curve of the machine), flawed (what shows of it is not the form of
+    the library: own is the share that is), outlying (what shows of it is mostly two neighbours in each run, which are
+    taken for outliers); times: size over the larger of both limits, of detection where rivals cannot be told from it;
+    detection, isolation: in the unit of the size.
     """
 
     effect: Effect
@@ -290,6 +298,8 @@ def _state(design: Design, effect: Effect, found: Limit, outside: bool) -> str:
         return "mute"
     if found.r2 > CONFOUNDED:
         return "imitated" if outside else "confounded"
+    if outside and is_curve(design, effect):
+        return "curve"
     if found.lasting < LASTS:
         return "outlying"
     return "isolable" if found.own > FLAWED else "flawed"

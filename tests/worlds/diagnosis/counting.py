@@ -74,6 +74,10 @@ def is_unexplained(line: Line) -> bool:
     return bool(line.get("verdict") == "unexplained_structure" and not is_named(line))
 
 
+def is_left_open(line: Line) -> bool:
+    return bool(is_without_name(line) and (is_unexplained(line) or says_stale(line)))
+
+
 def of_state(lines: Sequence[Line], kinds: Sequence[str], *states: str) -> list[Line]:
     """Cases of these kinds whose every hidden effect is in one of the states."""
     return [
@@ -104,6 +108,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
     audited = [x for x in single if x.get("audited") and x["audited"][0] and x["hidden"][0]["kind"] not in SIZELESS]
     of_shape = [line for line in at(1.0) if _mostly_of_detection(line)]
     outside = of_state(lines, ("outside",), "isolable")
+    of_curves = of_state(lines, ("outside",), "curve")
     zeros = [line for line in clean if line["given"] == "zeros"]
     unseen, hopeless = of_state(lines, ("effect",), "absorbed"), of_state(lines, ("effect",), "too small", "mute")
     flawed = of_state(lines, ("effect",), "flawed")
@@ -125,6 +130,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
         Share("two: a wrong name", "", of_state(lines, ("two",)), is_wrong),
         Share("outside, at 5 limits: unexplained, no name", ">= 95 %", outside, is_unexplained),
         Share("outside: a name", "", outside, is_named),
+        Share("outside, read as a changed curve: unexplained or stale, no name", "", of_curves, is_left_open),
         Share(f"stale where p < {CERTAIN:g}: said", ">= 99 %", certain, says_stale),
         Share("of these, with an effect: said", "", of_state(certain, ("stale_effect",)), says_stale),
         Share("of these: the component that changed is in the list", "", certain, is_right_component),

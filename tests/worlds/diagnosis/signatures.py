@@ -1,5 +1,7 @@
 """What a hidden effect adds to the readings per unit of its size, as it is hidden: the generator's own form."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tests.hidden_effects.power.grade import Name
@@ -11,6 +13,7 @@ from tests.worlds.readings import exact_readings, home_state, reading_context, r
 from tests.worlds.truth import Truth
 
 # sizes that nobody overlooks otherwise: in the unit of the first parameter
+ALIKE = 0.01  # share of all that a curve does, by which values at one position may differ
 LARGEST_LENGTH, LARGEST_ANGLE = 0.1, 3e-4  # mm, rad
 LARGEST = {
     "point_offset": 20.0,
@@ -24,6 +27,7 @@ LARGEST = {
     "ballbar_centre": 1.0,
 }
 OVER = {"thermal_expansion": 1800.0, "thermal_offset": 3.0, "warm_lost_motion": 3.0, "drift": 2e4}  # mm K, K, K, s
+ALONG = ("local_bump", "direction_wave", "odd_step", "stick_slip")  # one way alone, curves of the position
 ROOTS = ("laser_cosine",)  # readings go with the square
 
 
@@ -47,6 +51,25 @@ def signature(design: Design, truth: Truth, effect: Effect) -> Array:
         return jac.located[effect.component] * effect.size
     without, with_it = exact_readings(design, [truth, truth.hiding(effect)])
     return np.asarray(with_it - without, float)
+
+
+def is_curve(design: Design, effect: Effect) -> bool:
+    """Whether what readings show of an effect is one value at each position of its axis, in the one direction in which
+    it is read: they do not tell it from a machine whose curve has changed.
+    """
+    if effect.kind not in ALONG:
+        return False
+    plan, axis = design.plan, effect.component[2]
+    seen = design.jacobian.here[effect.component] != 0.0
+    ways = np.unique(plan.directions[axis][seen])
+    if np.count_nonzero(ways) > 1:
+        return False
+    term = component_term(replace(effect, size=1.0), row_state(design.machine, plan))[seen]
+    _, place = np.unique(plan.positions[axis][seen].round(6), return_inverse=True)
+    most, least = (np.full(place.max() + 1, end) for end in (-np.inf, np.inf))
+    np.maximum.at(most, place, term)
+    np.minimum.at(least, place, term)
+    return bool(np.max(most - least) < ALIKE * np.ptp(term))
 
 
 def name_of(machine: Machine, effect: Effect) -> Name:

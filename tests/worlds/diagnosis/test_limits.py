@@ -1,5 +1,6 @@
 """Limits by brute force, by the shop's own noise and by what sizes come to."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -12,7 +13,7 @@ from tests.worlds.design import Design
 from tests.worlds.diagnosis.cases import Bench, Case, bench_of, draw_case
 from tests.worlds.diagnosis.library import SEARCHED, Candidate, candidates, fine
 from tests.worlds.diagnosis.limits import CONFOUNDED, DEGREE, DETECTION, ISOLATION, RANK, _lasting, limit_of
-from tests.worlds.diagnosis.signatures import largest, pitch_of, signature
+from tests.worlds.diagnosis.signatures import is_curve, largest, pitch_of, signature
 from tests.worlds.effects import Effect
 from tests.worlds.machine import Array, Indices
 from tests.worlds.readings import exact_readings, measure_all
@@ -187,3 +188,15 @@ def test_given_values_are_stale_by_as_much_as_is_said() -> None:
         assert case.wear is not None
         assert case.wear.sigma > 0.0
         assert case.wear.component in bench(case.world).design.machine.components
+
+
+def test_one_way_a_worn_spot_is_a_curve_and_both_ways_it_is_none() -> None:
+    design = bench().design
+    component = next(name for name in design.machine.components if name[2] == "X" and name[1] == "X")
+    seen = design.jacobian.here[component] != 0.0
+    assert np.unique(design.plan.directions["X"][seen]).size > 1
+    one_way = {axis: np.abs(ways) for axis, ways in design.plan.directions.items()}
+    other = replace(design, plan=replace(design.plan, directions=one_way))
+    bump, warm = Effect("local_bump", component, shape=3), Effect("warm_lost_motion", component, shape=3)
+    assert [is_curve(one, bump) for one in (design, other)] == [False, True]
+    assert not is_curve(other, warm)  # it changes with the temperature

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.diagnosis.causes.candidates import grid_of
-from trueaxis.diagnosis.causes.imperfection import beside_forms
+from trueaxis.diagnosis.causes.imperfection import MODULATED, beside_forms
 from trueaxis.diagnosis.causes.prepared import prepared
 from trueaxis.diagnosis.causes.refit import refit, start_of
-from trueaxis.diagnosis.causes.scan import HELD, Residual, peaks_of, statistics
+from trueaxis.diagnosis.causes.scan import HELD, Residual, Scanned, peaks_of, statistics
 from trueaxis.diagnosis.causes.search import (
     RIVAL,
     WORTH_ZOOMING,
@@ -37,6 +37,7 @@ from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS, ZOOMS, 
 from trueaxis.estimation.tails import LN10
 
 ALIKE = 2.0 * RIVAL * LN10  # of the sums of squares, within which another period remains in the running
+FORM = 1.0 - MODULATED**2  # share of the squares of a cause that its form is certain of
 FORMED = 0.75  # share of the most that is explained, from which another period may do as well with what forms may lack
 CLOSE = 4  # steps from a peak that is known to a thirtieth of its width: each leaves the square of what is wrong
 SAME = 0.25  # periods over the range of the axis, by which two peaks differ at least
@@ -106,14 +107,18 @@ def _with_rivals(ground: Ground, found: Search, index: int) -> Found:
         scans = tuple(one for one in found.first if one.effect not in taken)
     rivals = []
     for one in scans:
-        least = mine.scan.preference - RIVAL
-        if one.preference < least and not (one.point and one.statistic > WORTH_ZOOMING * mine.scan.statistic):
+        if not _near(one, mine.scan) and not (one.point and one.statistic > WORTH_ZOOMING * mine.scan.statistic):
             continue
         closer = zoomed(ground, residual, one)
-        if closer.scan.preference >= least and closer.scan.evidence >= ground.threshold - RIVAL:
+        if _near(closer.scan, mine.scan) and closer.scan.evidence >= ground.threshold - RIVAL:
             rivals.append(Rival(closer.scan, refit(ground, [closer, *others])[0]))
     rivals.sort(key=lambda one: -one.scan.preference)
     return replace(mine, rivals=(*mine.rivals, *rivals))
+
+
+def _near(one: Scanned, best: Scanned) -> bool:
+    """Whether a candidate explains about as much: to what is likely, or but for what no real effect has of its form."""
+    return one.preference >= best.preference - RIVAL or one.statistic >= FORM * best.statistic
 
 
 def _periods(ground: Ground, causes: Sequence[Found], index: int, known: Sequence[Fitted]) -> list[_Period]:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.special import ndtr
 
 from trueaxis.diagnosis.causes.contest import contest
 from trueaxis.diagnosis.causes.imperfection import beside_forms, imperfections
@@ -14,6 +13,7 @@ from trueaxis.diagnosis.causes.rivals import of_rivals, with_best_periods, with_
 from trueaxis.diagnosis.causes.search import Ground, Search, search_of, without
 from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.causes.signatures import directions_of
+from trueaxis.diagnosis.judging.amplitudes import Uneven, amplitudes_of, unevenness
 from trueaxis.diagnosis.judging.carried import carried_by_one
 from trueaxis.diagnosis.judging.checks import run_checks
 from trueaxis.diagnosis.judging.instruments import Off, instruments_off
@@ -24,9 +24,6 @@ from trueaxis.diagnosis.judging.verdict import HOMOGENEOUS, explained_share, nam
 from trueaxis.diagnosis.null_model.null import Null, what_is_free
 from trueaxis.diagnosis.null_model.projection import Projection
 from trueaxis.diagnosis.result import AmplitudeOf, BoolArray, FloatArray
-
-TOLERANCE = 0.1  # of the amplitude, by which groups may differ: no real effect has the exact form
-TELLING = 1e-3  # share of the information below which a group says nothing of the amplitude
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -49,17 +46,16 @@ def judged_causes(
     ground: Ground, null: Null, found: Search, causes: tuple[Fitted, ...], standing: Sequence[Fitted]
 ) -> Judged:
     """Whether causes found may be named, by what all of them together leave."""
-    groups = _amplitudes(ground, causes)
-    while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
+    groups, uneven = _amplitudes(ground, found, causes)
+    while len(causes) > 1 and min(one.p_value for one in uneven) < HOMOGENEOUS:
         # a further cause that is not one everywhere is none, and says nothing against the others
-        found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
+        found = without(ground, found, max(k for k, one in enumerate(uneven) if one.p_value < HOMOGENEOUS))
         ground, found, causes = with_best_periods(ground, found, refit(ground, found.causes), standing)
-        groups = _amplitudes(ground, causes)
+        groups, uneven = _amplitudes(ground, found, causes)
     checks = _checks(ground, found.projection, found.residual)
     hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
-    homogeneous_p = [p for _, p in groups]
-    share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
-    if names_stand(share, (*standing, *causes), checks, homogeneous_p):
+    share = explained_share(ground, found, causes, checks, uneven, standing, hard)
+    if names_stand(share, (*standing, *causes), checks, uneven):
         return Judged(search=with_rivals(ground, found), causes=causes, groups=groups, checks=checks, stand=True)
     return without_names(ground, Judged(search=found, causes=causes, groups=groups, checks=checks, stand=False))
 
@@ -144,59 +140,9 @@ def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tup
     return run_checks(ground.readings, ground.whitening, projection, residual, ground.freedom)
 
 
-def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:
-    return tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
-
-
-def amplitudes_of(ground: Ground, causes: Sequence[Fitted], index: int) -> tuple[tuple[AmplitudeOf, ...], float]:
-    """Amplitude and standard uncertainty by set-up, in the unit of the first parameter, and p of their being one.
-
-    The other causes and the base are fitted beside.
-    """
-    rows = ground.readings.rows
-    mine = causes[index]
-    size = mine.values[0]
-    groups = [
-        (rows.setup == number)
-        for number in np.unique(rows.setup)
-        if np.abs(mine.signal[rows.setup == number]).max(initial=0.0) > 0.0
-    ]
-    if size == 0.0 or len(groups) < 2:
-        return (), 1.0
-    others = [ground.whitening(one.signal) for place, one in enumerate(causes) if place != index]
-    projection = ground.base.extended(np.stack(others, axis=1)) if others else ground.base
-    whole = projection.rest(ground.whitening(mine.signal))
-    residual = projection.rest(ground.values)
-    columns = projection.rest(
-        ground.whitening(np.stack([np.where(group, mine.signal, 0.0) for group in groups], axis=1))
-    )
-    found, worst = [], 1.0
-    for place, group in enumerate(groups):
-        solved = _apart(whole, columns[:, place], residual)
-        if solved is None:
-            continue
-        share, u, excess, excess_u = solved
-        found.append(AmplitudeOf(_name(ground, group), share * size, u * abs(size)))
-        z = excess / np.hypot(excess_u, TOLERANCE)
-        worst = min(worst, float(2.0 * ndtr(-abs(z))) * len(groups))
-    return tuple(found), min(worst, 1.0)
-
-
-def _apart(whole: FloatArray, part: FloatArray, residual: FloatArray) -> tuple[float, float, float, float] | None:
-    """Share of the amplitude in one group, its u, and by how much it exceeds that of all others, and its u.
-
-    None where the group alone does not tell: its signature is the same as the whole, or the base holds it.
-    """
-    pair = np.stack([whole, part], axis=1)
-    gram = pair.T @ pair
-    if gram[1, 1] < TELLING * gram[0, 0] or 1.0 - gram[0, 1] ** 2 / (gram[0, 0] * gram[1, 1]) < 1e-6:
-        return None
-    inverse = np.linalg.inv(gram)
-    value = inverse @ (pair.T @ residual)
-    both = float(inverse.sum())
-    return float(value.sum()), float(np.sqrt(max(both, 0.0))), float(value[1]), float(np.sqrt(inverse[1, 1]))
-
-
-def _name(ground: Ground, group: FloatArray) -> str:
-    rows = ground.readings.rows
-    return ", ".join(rows.runs[index].id for index in np.unique(rows.run[group]))
+def _amplitudes(
+    ground: Ground, found: Search, causes: Sequence[Fitted]
+) -> tuple[tuple[tuple[tuple[AmplitudeOf, ...], float], ...], list[Uneven]]:
+    """Of every cause: those of its set-ups, and whether it is one."""
+    groups = tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
+    return groups, unevenness(ground, found, causes, [p for _, p in groups])

@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from scipy.special import chdtri
 
 from trueaxis.diagnosis.causes.search import Ground, Search, cause_columns
 from trueaxis.diagnosis.causes.signature import Fitted
+from trueaxis.diagnosis.judging.amplitudes import Uneven
 from trueaxis.diagnosis.judging.instruments import Off
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.null_model.projection import Projection
@@ -46,7 +46,7 @@ def explained_share(
     found: Search,
     causes: Sequence[Fitted],
     checks: Sequence[Check],
-    homogeneous_p: Sequence[float],
+    uneven: Sequence[Uneven],
     standing: Sequence[Fitted] = (),
     hard: Projection | None = None,
 ) -> float:
@@ -64,14 +64,12 @@ def explained_share(
     after = ground.plain.extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
-    uneven = [float(chdtri(1, max(p, 1e-300))) for p in homogeneous_p if p <= HOMOGENEOUS]
-    left = max([float(after @ after) - freedom, 0.0, *uneven, *(one.excess for one in checks if one.fired)])
+    besides = [one.excess for one in uneven if one.p_value <= HOMOGENEOUS] + [one.excess for one in checks if one.fired]
+    left = max(float(after @ after) - freedom, 0.0, *besides)
     return explained / (explained + left) if explained > 0.0 else 0.0
 
 
-def names_stand(
-    share: float, causes: Sequence[Fitted], checks: Sequence[Check], homogeneous_p: Sequence[float]
-) -> bool:
+def names_stand(share: float, causes: Sequence[Fitted], checks: Sequence[Check], uneven: Sequence[Uneven]) -> bool:
     """Whether causes found may be named: one amplitude everywhere, and nothing left, or next to nothing.
 
     A little more may be left where all of it is of the class that the causes themselves are of: theirs is then not
@@ -81,7 +79,7 @@ def names_stand(
     fired = [
         check for check in fired if check.structure is not StructureClass.LACK_OF_FIT
     ] or fired  # of what kind it is, others say
-    one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
+    one_size = all(one.p_value > HOMOGENEOUS for one in uneven) or share >= PRACTICALLY_ALL
     if not fired or share >= PRACTICALLY_ALL:
         return one_size
     used = {each.name for one in causes if one.kind.expression for each in names(parse(one.kind.expression))}

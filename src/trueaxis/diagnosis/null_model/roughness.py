@@ -19,6 +19,10 @@ from trueaxis.diagnosis.result import FloatArray, IntArray
 from trueaxis.estimation.tails import LN10, log_chi2_tail, log_f_tail
 from trueaxis.model.model import MachineModel
 
+# degrees beyond those of the base that are looked at besides all: most of what a curve leaves is in the next ones, and
+# the others would only be tries
+FURTHER_DEGREES = (1, 2, 4)
+
 
 @dataclass(frozen=True, slots=True)
 class Rough:
@@ -57,13 +61,16 @@ class Roughness:
             dense = columns.dense()  # of one at a time: all would be as large as the base
             of_causes = projection.inner_causes.T @ dense
             products = self.products[name] - of_causes.T @ of_causes
-            combination, k = projection.explaining(every, dense, left, products)
-            statistic = float(combination @ back)
-            if k == 0 or statistic <= 0.0:
-                continue
-            of_noise = freedom.of(every, combination[:, np.newaxis] * freedom.sigma[:, np.newaxis])
-            evidence = -log_f_tail(statistic / k, k, of_noise) / LN10
-            found.append(Rough(name, evidence, -log_chi2_tail(statistic, k) / LN10))
+            counts = [count for count in FURTHER_DEGREES if count < dense.shape[1]] + [dense.shape[1]]
+            tries = float(np.log10(len(counts)))
+            for count in counts:
+                combination, k = projection.explaining(every, dense[:, :count], left, products[:count, :count])
+                statistic = float(combination @ back)
+                if k == 0 or statistic <= 0.0:
+                    continue
+                of_noise = freedom.of(every, combination[:, np.newaxis] * freedom.sigma[:, np.newaxis])
+                evidence = -log_f_tail(statistic / k, k, of_noise) / LN10 - tries
+                found.append(Rough(name, evidence, -log_chi2_tail(statistic, k) / LN10 - tries))
         return max(found, key=lambda one: one.preference, default=None)
 
 
