@@ -117,8 +117,11 @@ def _with_rivals(ground: Ground, found: Search, index: int) -> Found:
 
 
 def _near(one: Scanned, best: Scanned) -> bool:
-    """Whether a candidate explains about as much: to what is likely, or but for what no real effect has of its form."""
-    return one.preference >= best.preference - RIVAL or one.statistic >= FORM * best.statistic
+    """Whether a candidate explains about as much: by likelihood, or, with no more parameters, but for the tenth by
+    which no real effect has its form.
+    """
+    no_freer = one.freedom <= best.freedom and len(one.point) <= len(best.point)
+    return one.preference >= best.preference - RIVAL or (no_freer and one.statistic >= FORM * best.statistic)
 
 
 def _periods(ground: Ground, causes: Sequence[Found], index: int, known: Sequence[Fitted]) -> list[_Period]:
