@@ -145,7 +145,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         )
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
-        converged = last < STILL
+        converged = last < STILL and rounds < MOST_ROUNDS
     misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     beside_it = as_expected(sizes, found, x) if setting.options.prior else None

@@ -15,13 +15,14 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.changed import ChangesOfRun, changes_of_run, log_ratio
+from trueaxis.estimation.display import ROUNDING
 from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.estimation.state import DISPLAY, State
+from trueaxis.estimation.state import State
 from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.measurement.machine import FloatArray
 
@@ -254,7 +255,7 @@ def _of_factor(state: State, fault: Fault) -> float:
         one = state.runs[place]
         steps = np.diff(np.unique(np.round(one.reading[one.good], DECIMALS)))
         white = max(float(state.scales[place]) * state.noise[one.noise_group].white, SMALLEST)
-        shown = DISPLAY * float(steps.min(initial=np.inf)) / white
+        shown = ROUNDING * float(steps.min(initial=np.inf)) / white
         coarse = float(np.log(np.hypot(1.0, factor * shown) / np.hypot(1.0, shown))) if np.isfinite(shown) else np.inf
         value += int(one.good.sum()) * (float(np.log(factor)) - coarse)
     return value

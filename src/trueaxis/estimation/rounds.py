@@ -8,6 +8,7 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import (
     State,
+    counting,
     linearised,
     moved,
     same_readings,
@@ -40,7 +41,7 @@ def settled(
     x: sizes at first, if they are known.
     """
     draw = np.random.default_rng(SEED)
-    steady, sharp = STEADY if x is not None else 0, False
+    steady, sharp, known = STEADY if x is not None else 0, False, set[bytes]()
     x = np.zeros(sizes.spread.size) if x is None else x
     for count in range(1, most + 1):
         found = linearised(state)
@@ -52,13 +53,16 @@ def settled(
         noisy = with_noise(before, posterior, draw, steady >= STEADY)
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in noisy.noise.items())
         state = without_outliers(noisy, posterior, sharp)
-        if change < SETTLED and count >= least and same_readings(before, state):
+        # which readings count may go round in circles, near the limit of what is one too far: none of them is better
+        again = same_readings(before, state) or counting(state) in known
+        known.add(counting(state))
+        if change < SETTLED and count >= least and again:
             if sharp:
                 break
             sharp, state = True, without_outliers(noisy, posterior, sharp=True)
             if same_readings(before, state):
                 break
-        steady = steady + 1 if same_readings(before, state) else 0
+        steady = steady + 1 if again else 0
         if steady < STEADY:
             state = with_first_noise(state)
     return x, state, count

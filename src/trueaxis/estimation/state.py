@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.display import display_steps, rounded
 from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_common_few
@@ -20,7 +21,6 @@ from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
-DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
 KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
 # of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
 DRAWS, DRAWN = 8, 40_000
@@ -29,7 +29,8 @@ DRAWS, DRAWN = 8, 40_000
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class State:
     """layout: linearised at the unknowns; given: values that are taken as they are; stated: groups of runs whose noise
-    is known, white and 1, the scales of their runs being the noise in mm; noise: of each group; scales: of each run;
+    is known, white and 1, the scales of their runs being the noise in mm; display: step of the readings of each group,
+    mm; noise: of each group; scales: of each run;
     unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm; kept: derivatives of each run's readings,
     where they fit into the memory and stay.
     """
@@ -38,6 +39,7 @@ class State:
     given: ErrorValues
     runs: tuple[MeasuredRun, ...]
     stated: frozenset[str]
+    display: Mapping[str, float]
     noise: Mapping[str, Noise]
     scales: FloatArray
     unknowns: FloatArray
@@ -80,13 +82,15 @@ def started(
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
     unstated = {one.noise_group for one in runs if one.rows.index not in stated_noise}
-    found = _first_noise(runs, residual, unstated)
+    display = display_steps(runs)
+    found = _first_noise(runs, residual, unstated, display)
     scales = [1.0 if one.noise_group in unstated else stated_noise[one.rows.index] for one in runs]
     return State(
         layout=layout.at(unknowns, given),
         given=given,
         runs=runs,
         stated=frozenset(found) - unstated,
+        display=display,
         noise=found,
         scales=np.array(scales),
         unknowns=unknowns,
@@ -97,19 +101,22 @@ def started(
 
 
 def _first_noise(
-    runs: Sequence[MeasuredRun], residual: Sequence[FloatArray], unstated: Collection[str]
+    runs: Sequence[MeasuredRun],
+    residual: Sequence[FloatArray],
+    unstated: Collection[str],
+    display: Mapping[str, float],
 ) -> dict[str, Noise]:
     found: dict[str, Noise] = {}
     for name in sorted({one.noise_group for one in runs}):
         mine = [rest[one.good] for one, rest in zip(runs, residual, strict=True) if one.noise_group == name]
-        found[name] = first_noise(mine) if name in unstated else Noise(1.0)
+        found[name] = rounded(first_noise(mine), display[name]) if name in unstated else Noise(1.0)
     return found
 
 
 def with_first_noise(state: State) -> State:
     """With noise and scales as at the start, by what is left of the readings that count."""
     stated = np.array([one.noise_group in state.stated for one in state.runs])
-    noise = _first_noise(state.runs, state.residual, set(state.noise) - state.stated)
+    noise = _first_noise(state.runs, state.residual, set(state.noise) - state.stated, state.display)
     return replace(state, noise=noise, scales=np.where(stated, state.scales, 1.0))
 
 
@@ -141,6 +148,7 @@ def of_runs(state: State, runs: Sequence[MeasuredRun]) -> State:
         state,
         runs=tuple(runs),
         stated=state.stated & groups,
+        display={name: one for name, one in state.display.items() if name in groups},
         noise={name: one for name, one in state.noise.items() if name in groups},
         scales=state.scales[places],
         own=tuple(state.own[place] for place in places),
@@ -227,15 +235,18 @@ def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, kn
         found, scales[members] = noise_of_draws(
             [draws[place][:, :enough] for place in members], steps, state.noise[name] if known else None
         )
-        devices = {state.runs[place].rows.run.device for place in members}
-        resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
-        noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
+        noise[name] = rounded(found, state.display[name])
     return replace(state, noise=noise, scales=scales)
 
 
 def same_readings(one: State, other: State) -> bool:
     """Whether the same readings count."""
     return all((a.good == b.good).all() for a, b in zip(one.runs, other.runs, strict=True))
+
+
+def counting(state: State) -> bytes:
+    """Which readings count, as one key."""
+    return np.packbits(np.concatenate([one.good for one in state.runs])).tobytes()
 
 
 def without_outliers(state: State, posterior: Posterior, sharp: bool) -> State:

@@ -20,16 +20,15 @@ from trueaxis.diagnosis.null_model.noise_law import Found, Guess, Law
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RunNoise
 from trueaxis.diagnosis.result import FloatArray, NoiseOf
+from trueaxis.estimation.display import ROUNDING, display_step
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import SMALLEST, first_noise
-from trueaxis.estimation.state import DISPLAY
 
 LEAST = 1.0  # degrees of freedom: fewer tell no noise
 FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 # where a noise comes from
 REPEATS, COURSES, EXPECTED, STATED, UNKNOWN = "repeats", "courses", "expected", "given", "unknown"
-STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
 
 
 def noise_of_runs(
@@ -176,14 +175,5 @@ def _shown(noise: Noise, step: float, times: float) -> Noise:
     if step == 0.0:
         return noise
     alike = float(np.exp(-((2.0 * np.pi * noise.sigma / step) ** 2)))
-    least = step * DISPLAY * float(np.sqrt(1.0 + (times - 1.0) * alike))
+    least = step * ROUNDING * float(np.sqrt(1.0 + (times - 1.0) * alike))
     return Noise(max(noise.white, least), noise.slow, noise.lasts)
-
-
-def display_step(readings: FloatArray) -> float:
-    """mm: the step of which all readings are multiples, 0 if they have none of those that displays have."""
-    for step in STEPS:
-        share = readings / step
-        if np.abs(share - np.round(share)).max(initial=0.0) < 1e-6 and np.unique(readings).size > 1:
-            return step
-    return 0.0
