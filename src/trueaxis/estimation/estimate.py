@@ -17,6 +17,7 @@ from trueaxis.estimation.instrument_sizes import as_expected
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.left_out import Contradiction, contradictions
 from trueaxis.estimation.misread import SURE, Misread, Refit, mean_square, misread_runs, unexplained
+from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.orders import higher_degrees
 from trueaxis.estimation.own_part import beside
@@ -35,6 +36,7 @@ MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
+NO_NOISE = 2.0  # times the least noise: readings simulated without any were estimated to have up to 1.5 times it
 LEAST_SQUARE = 1.0 / 9.0  # of residuals over their stated noise: below, it is three times too large or more
 
 
@@ -145,7 +147,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         )
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
-        converged = last < STILL and rounds < MOST_ROUNDS
+        converged = last < STILL and (rounds < MOST_ROUNDS or _without_noise(state))
     misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     beside_it = as_expected(sizes, found, x) if setting.options.prior else None
@@ -197,6 +199,11 @@ def _higher_degrees(setting: _Setting, effects: EffectUnknowns, fitted: Fitted) 
         x, state, _ = settled(state, sizes, MOST_ROUNDS)
         fitted = Fitted(state=state, sizes=sizes, x=x)
     return higher_degrees(fitted.state.layout, fitted.posterior())
+
+
+def _without_noise(state: State) -> bool:
+    """Whether no estimated noise is above the least: outliers among what rounding leaves never come to rest."""
+    return all(one.sigma < NO_NOISE * SMALLEST for name, one in state.noise.items() if name not in state.stated)
 
 
 def _as_stated(state: State) -> bool:
