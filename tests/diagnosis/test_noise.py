@@ -5,8 +5,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy.linalg import block_diag
 from statsmodels.regression.mixed_linear_model import MixedLM
 from statsmodels.tsa.arima_process import arma_generate_sample
@@ -15,7 +13,7 @@ from tests.diagnosis.prepared import SIGMA, FloatArray, dense_covariance, prepar
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null_model.base import Base, base_of
-from trueaxis.diagnosis.null_model.noise import COURSES, EXPECTED, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
+from trueaxis.diagnosis.null_model.noise import COURSES, EXPECTED, REPEATS, STATED, UNKNOWN, noise_of_runs
 from trueaxis.diagnosis.null_model.noise_precision import precision_of
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.result import NoiseOf
@@ -220,18 +218,6 @@ def test_too_few_readings_tell_none() -> None:
     (found,) = noise_of_runs(few, base_of(case.model, few), np.array([1e-3, -1e-3, 1e-3]), None)[1]
     assert (found.origin, found.freedom) == (UNKNOWN, 1.0)
     assert found.sigma == pytest.approx(1e-3)
-
-
-@given(st.sampled_from([1e-5, 5e-5, 1e-4, 2e-4, 1e-3]), st.lists(st.integers(-300, 300), min_size=40, max_size=60))
-def test_the_step_of_a_display_is_seen(step: float, numbers: list[int]) -> None:
-    """Readings that fill the steps; a coarser step of which all were multiples would be as right."""
-    readings = step * np.array([*numbers, 0, 1, 2, 3])
-    assert display_step(readings) == pytest.approx(step)
-
-
-def test_a_display_finer_than_any_is_none() -> None:
-    assert display_step(np.random.default_rng(0).normal(size=50)) == 0.0
-    assert display_step(np.zeros(50)) == 0.0
 
 
 @pytest.mark.parametrize("repeats", [1, 4])

@@ -36,6 +36,7 @@ def test_a_step_is_the_largest_that_displays_have_and_all_readings_are_multiples
     assert display_step(readings) == pytest.approx(step)
     assert display_step(readings + 0.37 * 1e-6) == 0.0
     assert display_step(np.full(5, step)) == 0.0  # one reading says nothing of the step
+    assert display_step(np.random.default_rng(seed).normal(size=50)) == 0.0
 
 
 def begun(data: Observations) -> State:
