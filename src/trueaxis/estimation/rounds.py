@@ -41,7 +41,7 @@ def settled(
     x: sizes at first, if they are known.
     """
     draw = np.random.default_rng(SEED)
-    steady, sharp, known = STEADY if x is not None else 0, False, set[bytes]()
+    steady, sharp, counted = STEADY if x is not None else 0, False, set[bytes]()
     x = np.zeros(sizes.spread.size) if x is None else x
     for count in range(1, most + 1):
         found = linearised(state)
@@ -54,8 +54,8 @@ def settled(
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in noisy.noise.items())
         state = without_outliers(noisy, posterior, sharp)
         # which readings count may go round in circles, near the limit of what is one too far: none of them is better
-        again = same_readings(before, state) or counting(state) in known
-        known.add(counting(state))
+        again = same_readings(before, state) or counting(state) in counted
+        counted.add(counting(state))
         if change < SETTLED and count >= least and again:
             if sharp:
                 break

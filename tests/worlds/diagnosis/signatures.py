@@ -13,7 +13,6 @@ from tests.worlds.readings import exact_readings, home_state, reading_context, r
 from tests.worlds.truth import Truth
 
 # sizes that nobody overlooks otherwise: in the unit of the first parameter
-ALIKE = 0.01  # share of all that a curve does, by which values at one position may differ
 LARGEST_LENGTH, LARGEST_ANGLE = 0.1, 3e-4  # mm, rad
 LARGEST = {
     "point_offset": 20.0,
@@ -28,6 +27,7 @@ LARGEST = {
 }
 OVER = {"thermal_expansion": 1800.0, "thermal_offset": 3.0, "warm_lost_motion": 3.0, "drift": 2e4}  # mm K, K, K, s
 ALONG = ("local_bump", "direction_wave", "odd_step", "stick_slip")  # one way alone, curves of the position
+ALIKE = 0.01  # share of all that a curve does, by which values at one position may differ
 ROOTS = ("laser_cosine",)  # readings go with the square
 
 

@@ -86,10 +86,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     if "v" in used:
         scales.append(np.linalg.norm(np.nan_to_num(readings.context.velocity), axis=0))
     for scale in scales:
-        if np.ptp(scale) > 0.0:
-            along = 2.0 * (scale - scale.min()) / np.ptp(scale) - 1.0
-            for degree in (1, 2):
-                yield MODULATED * signal * legendre.legval(along, np.eye(3)[degree])
+        yield from (MODULATED * one for one in changing(signal, scale, scale))
     read_by = list(_read_by(rows))
     for mine in read_by if len(read_by) > 1 else ():
         yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
@@ -102,6 +99,16 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     if "T" in used:
         yield from _of_temperature(readings, cause)
     yield from _of_searched(readings, cause)
+
+
+def changing(signal: FloatArray, scale: FloatArray, some: FloatArray) -> Iterator[FloatArray]:
+    """(n,), mm, each: a signal, (n,), mm, whose size changes with a scale, (n,), by once itself over the range of some
+    values of it: a slope and a bend (Legendre); nothing where these are one.
+    """
+    if some.size and np.ptp(some) > 0.0:
+        along = 2.0 * (scale - some.min()) / np.ptp(some) - 1.0
+        for degree in (1, 2):
+            yield signal * legendre.legval(along, np.eye(3)[degree])
 
 
 def _read_by(rows: Rows) -> Iterator[BoolArray]:

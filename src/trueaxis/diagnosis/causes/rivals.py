@@ -37,7 +37,7 @@ from trueaxis.estimation.effects.grids import FEWEST_PERIODS, OF_RIVALS, ZOOMS, 
 from trueaxis.estimation.tails import LN10
 
 ALIKE = 2.0 * RIVAL * LN10  # of the sums of squares, within which another period remains in the running
-FORM = 1.0 - MODULATED**2  # share of the squares of a cause that its form is certain of
+FORM = 1.0 - MODULATED**2  # share of the squares of a cause, from where a difference is within what forms may lack
 FORMED = 0.75  # share of the most that is explained, from which another period may do as well with what forms may lack
 CLOSE = 4  # steps from a peak that is known to a thirtieth of its width: each leaves the square of what is wrong
 SAME = 0.25  # periods over the range of the axis, by which two peaks differ at least
@@ -117,8 +117,8 @@ def _with_rivals(ground: Ground, found: Search, index: int) -> Found:
 
 
 def _near(one: Scanned, best: Scanned) -> bool:
-    """Whether a candidate explains about as much: by likelihood, or, with no more parameters, but for the tenth by
-    which no real effect has its form.
+    """Whether a candidate explains about as much as the best: as likely within RIVAL decades, or, with no more
+    parameters, a share FORM of its squares.
     """
     no_freer = one.freedom <= best.freedom and len(one.point) <= len(best.point)
     return one.preference >= best.preference - RIVAL or (no_freer and one.statistic >= FORM * best.statistic)

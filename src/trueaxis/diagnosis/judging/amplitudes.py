@@ -4,10 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.polynomial import legendre
 from scipy.special import chdtri, ndtr
 
-from trueaxis.diagnosis.causes.imperfection import MODULATED
+from trueaxis.diagnosis.causes.imperfection import MODULATED, changing
 from trueaxis.diagnosis.causes.search import Ground, Search, cause_columns
 from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.result import AmplitudeOf, FloatArray
@@ -17,7 +16,6 @@ TOLERANCE = MODULATED  # of the amplitude, by which groups may differ: no real e
 TELLING = 1e-3  # share of the information below which a group says nothing of the amplitude
 # variables of kinds that say themselves how they change along the travel, and with time or temperature
 OF_PLACE, OF_CONDITIONS = {"q", "s", "q_b", "s_b"}, {"t", "T"}
-DEGREES = (1, 2)  # of a change of the amplitude: a slope, a bend
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +37,10 @@ def unevenness(ground: Ground, found: Search, causes: Sequence[Fitted], of_group
 
 
 def _changing(ground: Ground, found: Search, causes: Sequence[Fitted]) -> list[Uneven]:
-    """Whether each amplitude changes along the travel, with time or temperature, of a kind that does not say so itself.
+    """Of every cause the change of its amplitude that is least likely by chance.
 
-    The causes and the base are fitted beside, forms as they are.
+    Causes, of exactly their forms, and the base are fitted beside. p is that of a normal deviate, TOLERANCE added to
+    its uncertainty, times the number of changes tried.
     """
     projection = ground.plain.extended(cause_columns(ground, found.causes))
     residual = projection.rest(ground.values)
@@ -64,7 +63,7 @@ def _changing(ground: Ground, found: Search, causes: Sequence[Fitted]) -> list[U
 
 
 def _changes(ground: Ground, cause: Fitted) -> Iterator[FloatArray]:
-    """(n,), mm: the cause, its amplitude changing by once itself."""
+    """(n,), mm, each: the cause, its amplitude changing along the travel, with time or with temperature."""
     rows, used = ground.readings.rows, set(used_variables(cause.kind))
     scales = []
     if cause.kind.place == "component" and not used & OF_PLACE:
@@ -75,11 +74,7 @@ def _changes(ground: Ground, cause: Fitted) -> Iterator[FloatArray]:
         if not rows.assumed.any():
             scales.append(ground.readings.context.temperature)
     for scale in scales:
-        there = scale[cause.signal != 0.0]
-        if there.size and np.ptp(there) > 0.0:
-            along = 2.0 * (scale - there.min()) / np.ptp(there) - 1.0
-            for degree in DEGREES:
-                yield np.where(cause.signal != 0.0, cause.signal * legendre.legval(along, np.eye(3)[degree]), 0.0)
+        yield from changing(cause.signal, scale, scale[cause.signal != 0.0])
 
 
 def amplitudes_of(ground: Ground, causes: Sequence[Fitted], index: int) -> tuple[tuple[AmplitudeOf, ...], float]:
