@@ -10,9 +10,10 @@ from scipy.stats import kstest
 
 from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis.judging.checks import LOOKS, run_checks, structures
+from trueaxis.diagnosis.judging.checks import LOOKS, fired_structure, run_checks
 from trueaxis.diagnosis.judging.checks_of_runs import humming_run
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
+from trueaxis.diagnosis.judging.structure_columns import structures
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.estimation.noise import Noise
 from trueaxis.reporting.diagnosis.structures import check_name
@@ -124,6 +125,33 @@ def test_an_error_of_no_kind_is_seen_by_all_instruments_that_sense_it(structure:
     assert of_class["EXX"].fired
     assert min(of_class, key=lambda place: of_class[place].p_value) == "EXX"
     assert check_name(of_class["EXX"]).startswith("readings that show EXX, ")
+
+
+def test_structure_that_is_seen_is_that_which_is_there_and_no_other() -> None:
+    where = field(replace(SMALL, lines=4), WHITE)
+    rows = where.readings.rows
+    shape = np.where(_of_lines_along(rows, 0), rows.directions[0] * np.cos(rows.positions[0] / 60.0), 0.0)
+    values = noise(where, 6) + 10.0 * SIGMA * shape
+    residual = where.base.rest(where.whitening(values))
+    checks = checked(where, values)
+    of_lines = [one for one in checks if one.fired and one.structure is StructureClass.LINE_DIRECTION]
+    (seen,) = fired_structure(where.readings, where.whitening, where.base, residual, of_lines)
+    assert where.base.rest(where.whitening(seen)) == pytest.approx(
+        where.base.rest(where.whitening(10.0 * SIGMA * shape)), abs=2.0
+    )
+    silent = [one for one in checks if not one.fired]
+    assert silent
+    assert not list(fired_structure(where.readings, where.whitening, where.base, residual, silent))
+
+
+def _of_lines_along(rows: Rows, axis: int) -> npt.NDArray[np.bool_]:
+    """Readings by laser of runs along one axis alone."""
+    found = np.zeros(rows.size, dtype=bool)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        moving = np.flatnonzero(np.ptp(rows.positions[:, mine], axis=1)).tolist()
+        found[mine] = rows.runs[index].instrument == "laser" and moving == [axis]
+    return found
 
 
 def test_what_counts_as_noise_of_its_runs_is_seen_by_what_it_leaves() -> None:

@@ -22,12 +22,11 @@ def readings() -> Readings:
     return field().readings
 
 
-def fitted(effect: Effect, values: Sequence[float]) -> Fitted:
+def fitted(effect: Effect, values: Sequence[float], u: Sequence[float] = ()) -> Fitted:
     kind = readings().model.machine.kinds[effect.kind]
     at = np.array(values)
-    return Fitted(
-        effect=effect, kind=kind, values=at, u=np.ones_like(at), signal=parameter_signature(readings(), effect, at)[0]
-    )
+    known = np.array(u) if u else np.zeros_like(at)
+    return Fitted(effect=effect, kind=kind, values=at, u=known, signal=parameter_signature(readings(), effect, at)[0])
 
 
 def holds(columns: FloatArray, wanted: FloatArray, tolerance: float = 1e-9) -> bool:
@@ -128,10 +127,11 @@ class TestThermalOffset:
 class TestCyclic:
     AMPLITUDE, PHASE, PITCH = 1e-3, 0.7, 10.0
 
-    def cause(self) -> Fitted:
+    def cause(self, u_pitch: float = 0.0) -> Fitted:
         values = {"amplitude": self.AMPLITUDE, "phase": self.PHASE, "pitch": self.PITCH}
-        kind = readings().model.machine.kinds["cyclic"]
-        return fitted(Effect(kind="cyclic", component="EXX"), [values[one.name] for one in kind.parameters])
+        names = [one.name for one in readings().model.machine.kinds["cyclic"].parameters]
+        u = [u_pitch * (name == "pitch") for name in names]
+        return fitted(Effect(kind="cyclic", component="EXX"), [values[name] for name in names], u)
 
     def test_it_may_have_a_second_harmonic_of_any_phase(self) -> None:
         turn = 4.0 * np.pi * readings().rows.positions[0] / self.PITCH
@@ -140,6 +140,35 @@ class TestCyclic:
         found = [k for k in range(columns.shape[1]) if left(second, columns[:, k]) < 1e-9]
         assert len(found) == 2
         assert columns[:, found].T @ columns[:, found] == pytest.approx(second.T @ second, rel=1e-6, abs=1e-9)
+
+    def test_the_second_harmonic_has_any_pitch_that_the_readings_leave_open(self) -> None:
+        """By one turn over the axis, which is two of the harmonic: at even targets each of these is another curve."""
+        at = readings().rows.positions[0]
+        a_turn = self.PITCH**2 / float(np.ptp(at))
+        turn = 4.0 * np.pi * at / (self.PITCH + 0.37 * a_turn)
+        second = 0.1 * self.AMPLITUDE * lever("EXX") * np.cos(turn)
+        known, open_ = besides(self.cause()), besides(self.cause(0.25 * a_turn))
+        assert self.likely(known, second) > 10.0 * self.likely(open_, second)
+        assert self.likely(open_, second) < 2.0
+        assert besides(self.cause(1e3 * a_turn)).shape[1] < 2 * known.shape[1] + 20  # another peak is another cause
+
+    def likely(self, columns: FloatArray, signal: FloatArray) -> float:
+        """By how many standard deviations of the columns a signal comes about, the rest of it as noise of 1 %."""
+        noise = 0.01 * float(np.abs(signal).max())
+        root = np.vstack([columns / noise, np.eye(columns.shape[1])])
+        fit = np.linalg.lstsq(root, np.append(signal / noise, np.zeros(columns.shape[1])), rcond=None)[0]
+        left = (signal - columns @ fit) / noise
+        return float(np.sqrt(left @ left / left.size + fit @ fit))
+
+
+def test_lobes_on_circles_may_have_a_second_harmonic() -> None:
+    kind = readings().model.machine.kinds["ballbar_lobes"]
+    values = {"amplitude": 4e-3, "phase": 0.3}
+    cause = fitted(Effect(kind="ballbar_lobes"), [values[one.name] for one in kind.parameters])
+    on_circles = np.array([run.instrument == "ballbar" for run in readings().rows.runs])[readings().rows.run]
+    for wave in (np.cos, np.sin):
+        wanted = np.where(on_circles, 0.2 * 4e-3 * wave(6.0 * np.nan_to_num(readings().reading.theta)), 0.0)
+        assert holds(besides(cause), wanted) or holds(besides(cause), -wanted)
 
 
 def left(basis: FloatArray, column: FloatArray) -> float:

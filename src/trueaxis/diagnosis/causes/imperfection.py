@@ -7,6 +7,7 @@ the covariance of the readings, with the standard deviations below as shares of 
 cannot tell from the effect itself says nothing against its being there, only of how large it is.
 """
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
@@ -32,6 +33,7 @@ FLANK = 1.0  # of what turns with the direction, right after a reversal
 TAKEN_UP = {"d": (0.3, 1.0), "d_path": (0.3, 1.0), "d_time": (0.015, 0.06)}
 LAG = 3**-0.5, (250.0, 1000.0, 4000.0)  # of what follows the temperature; by one of these time constants, s
 HARMONIC = 0.2  # second harmonic of what is periodic
+OPEN = 2.0  # standard uncertainties of a pitch, within which it is
 OTHERWISE = 0.3, 1.6  # of what decays, with its constant so many times larger or smaller
 SAMPLES = 500  # of the course of the temperature
 
@@ -98,6 +100,9 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             yield FLANK * np.where(mine, signal * np.exp(-since / way), 0.0)
     if "T" in used:
         yield from _of_temperature(readings, cause)
+    phase = next((place for place, one in enumerate(cause.kind.parameters) if one.role == "phase"), None)
+    if phase is not None:
+        yield from _second_harmonic(readings, cause, phase, "theta" in used)
     yield from _of_searched(readings, cause)
 
 
@@ -138,23 +143,46 @@ def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             yield np.where(rows.run == index, change, 0.0)
 
 
+def _second_harmonic(readings: Readings, cause: Fitted, phase: int, on_circles: bool) -> Iterator[FloatArray]:
+    """Of what is periodic, at two phases a quarter apart; phase: its place among the parameters."""
+    pitch = next((place for place, one in enumerate(cause.kind.parameters) if one.grid == "pitch"), None)
+    each = []
+    if pitch is not None:
+        each = [_with(cause.values, pitch, 0.5 * one) for one in _pitches(readings, cause, pitch)]
+    elif on_circles:
+        twice = replace(readings.reading, theta=2.0 * readings.reading.theta)
+        readings, each = replace(readings, reading=twice, memory=Memory()), [cause.values]
+    for values in each:
+        for quarter in (0.0, 0.5 * np.pi):
+            shifted = _with(values, phase, quarter)
+            yield HARMONIC * len(each) ** -0.5 * parameter_signature(readings, cause.effect, shifted)[0]
+
+
+def _pitches(readings: Readings, cause: Fitted, place: int) -> FloatArray:
+    """Those that the readings leave open, so near one another that second harmonics differ by a quarter of a turn at
+    most at the end of the axis: at few even targets these may be any smooth curve. What differs by half a period is
+    another peak, and has its own.
+    """
+    axis, rows = cause.effect.own_axis, readings.rows
+    at = rows.positions[rows.axes.index(axis)] if axis else readings.reading.along
+    pitch, a_period = cause.values[place], cause.values[place] ** 2 / max(float(np.nanmax(at) - np.nanmin(at)), 1e-300)
+    away = min(OPEN * float(np.nan_to_num(cause.u[place])), 0.5 * a_period)
+    return np.asarray(pitch + away * np.linspace(-1.0, 1.0, 1 + 2 * math.ceil(8.0 * away / a_period)))
+
+
+def _with(values: FloatArray, place: int, value: float) -> FloatArray:
+    """Parameters (m,), one of them changed."""
+    return np.where(np.arange(values.size) == place, value, values)
+
+
 def _of_searched(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """Of parameters that the term is not linear in."""
+    share, factor = OTHERWISE
     for place, parameter in enumerate(cause.kind.parameters):
-        if parameter.role != "grid" or not parameter.is_divisor:
-            continue
-        share, factor = OTHERWISE
-        if parameter.grid == "pitch":
-            quarter = [each.name for each in cause.kind.parameters].index("phase")
-            for phase in (0.0, 0.5 * np.pi):
-                values = cause.values.copy()
-                values[place] *= 0.5
-                values[quarter] = phase
-                yield HARMONIC * parameter_signature(readings, cause.effect, values)[0]
+        if parameter.role != "grid" or not parameter.is_divisor or parameter.grid == "pitch":
             continue
         for scale in (factor, 1.0 / factor):
-            values = cause.values.copy()
-            values[place] *= scale
+            values = _with(cause.values, place, scale * cause.values[place])
             yield share * (parameter_signature(readings, cause.effect, values)[0] - cause.signal)
 
 

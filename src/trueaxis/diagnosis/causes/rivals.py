@@ -81,14 +81,9 @@ def with_best_periods(
 
 
 def of_rivals(found: Sequence[Found], causes: Sequence[Fitted]) -> list[FloatArray]:
-    """(n,) each, mm: what readings would hold besides, were another period that of a cause; found: the causes."""
+    """(n,) each, mm: what readings would hold besides, were a rival of a cause the right one; found: the causes."""
     signal = {one.effect: one.signal for one in causes}
-    return [
-        rival.fitted.signal - signal[one.scan.effect]
-        for one in found
-        for rival in one.rivals
-        if rival.fitted.effect == one.scan.effect
-    ]
+    return [rival.fitted.signal - signal[one.scan.effect] for one in found for rival in one.rivals]
 
 
 def with_rivals(ground: Ground, found: Search) -> Search:

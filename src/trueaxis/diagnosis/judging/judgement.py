@@ -1,6 +1,6 @@
 """What may be said of what was found: which names stand, what is stale, which runs no errors of the machine fit."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,7 +15,7 @@ from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.causes.signatures import directions_of
 from trueaxis.diagnosis.judging.amplitudes import Uneven, amplitudes_of, unevenness
 from trueaxis.diagnosis.judging.carried import carried_by_one
-from trueaxis.diagnosis.judging.checks import run_checks
+from trueaxis.diagnosis.judging.checks import fired_structure, run_checks
 from trueaxis.diagnosis.judging.instruments import Off, instruments_off
 from trueaxis.diagnosis.judging.misfit import Known, misfits
 from trueaxis.diagnosis.judging.stale import Changes, stale_values
@@ -55,7 +55,7 @@ def judged_causes(
     checks = _checks(ground, found.projection, found.residual)
     hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
     share = explained_share(ground, found, causes, checks, uneven, standing, hard)
-    if names_stand(share, (*standing, *causes), checks, uneven):
+    if names_stand(share, checks, uneven):
         return Judged(search=with_rivals(ground, found), causes=causes, groups=groups, checks=checks, stand=True)
     return without_names(ground, Judged(search=found, causes=causes, groups=groups, checks=checks, stand=False))
 
@@ -72,14 +72,17 @@ def judged_values(
 ) -> tuple[Judged, Changes, BoolArray]:
     """Instruments that are off, and values given that are stale: or the effect that takes their place; or (n,),
     readings that explain as well what looks stale.
+
+    Causes that may not be named, and structure that nothing explains, are there all the same, and leave curves.
     """
-    known = (*standing, *judged.causes)
-    off = instruments_off(null, np.sum([*(one.signal for one in known), np.zeros(null.rows.size)], axis=0))
-    of_instruments = [one.signal for one in off]
+    off = instruments_off(
+        null, np.sum([*(one.signal for one in (*standing, *judged.causes)), np.zeros(null.rows.size)], axis=0)
+    )
+    known = (*standing, *judged.causes, *judged.unnamed)
     # a phase or a period that is a little off leaves a curve
     free = [column for one in known for column in directions_of(ground.readings, one)]
     judged = replace(judged, off=off)
-    besides, causes = _besides(ground, judged, known), [*free, *of_instruments]
+    besides, causes = _besides(ground, judged, known), [*free, *(one.signal for one in off), *_seen(ground, judged)]
     changes = stale_values(null, causes, besides, ground.freedom)
     taken = spoilt_values(null, changes, causes, besides, ground.freedom)
     if not changes.stale or taken.any() or judged.search.causes or any(one.fired for one in judged.checks):
@@ -134,6 +137,13 @@ def _besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[Fl
     """(n,) each, mm: what causes may do besides, or would if another of their periods were the right one."""
     forms = [column for one in known for column in imperfections(ground.readings, one)]
     return [*forms, *(of_rivals(judged.search.causes, judged.causes) if judged.causes else ())]
+
+
+def _seen(ground: Ground, judged: Judged) -> Iterator[FloatArray]:
+    """(n,) each, mm: structure that is left, as the checks that fired see it."""
+    bare = ground.base, ground.base.rest(ground.values)
+    beside = (judged.search.projection, judged.search.residual) if judged.causes else bare
+    return fired_structure(ground.readings, ground.whitening, *beside, judged.checks)
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:

@@ -88,7 +88,7 @@ class Projection:
     def explaining(
         self, rows: IntArray, columns: FloatArray, residual: FloatArray, products: FloatArray | None = None
     ) -> tuple[FloatArray, int]:
-        """(n,), the combination of columns of which most is left, `rest`, of what is left of the readings, (n,).
+        """(k,), the combination of columns of which most is left, `rest`, of what is left of the readings, (n,).
 
         And of how many it is the best. columns: (n_rows, k), zero but in those rows, of whole runs; products: of them,
         where they are known. From products of the columns, for a quarter of what an orthonormal basis costs.
@@ -101,8 +101,8 @@ class Projection:
         told = values > TOLD * values.max(initial=0.0)
         turned = vectors[:, told] / np.sqrt(values[told]) / size[:, np.newaxis]
         inside = turned.T @ (columns[:, kept].T @ self._rooted(residual)[rows])
-        found = np.zeros(residual.size)
-        found[rows] = columns[:, kept] @ (turned @ inside)
+        found = np.zeros(kept.size)
+        found[kept] = turned @ inside
         return found, int(np.count_nonzero(told))
 
     def extended(self, columns: FloatArray) -> "Projection":

@@ -64,7 +64,9 @@ class Roughness:
             counts = [count for count in FURTHER_DEGREES if count < dense.shape[1]] + [dense.shape[1]]
             tries = float(np.log10(len(counts)))
             for count in counts:
-                combination, k = projection.explaining(every, dense[:, :count], left, products[:count, :count])
+                some = dense[:, :count]
+                weights, k = projection.explaining(every, some, left, products[:count, :count])
+                combination = some @ weights
                 statistic = float(combination @ back)
                 if k == 0 or statistic <= 0.0:
                     continue
