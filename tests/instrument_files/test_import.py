@@ -254,6 +254,20 @@ def test_a_table_with_axis_columns_and_runs(tmp_path: Path) -> None:
     assert data.readings.temperature.tolist() == [20.5, 20.5, 20.6, 20.7]
 
 
+@pytest.mark.parametrize("first", [1, -1])
+def test_directions_along_a_diagonal_are_those_of_its_axes(tmp_path: Path, first: int) -> None:
+    """The turn-round target is read again from beyond it: no order of rows says so. Y falls where X grows; whether the
+    shop calls that forward is its own affair."""
+    there = [(0, 300), (100, 200), (200, 100), (300, 0)]
+    rows = [(*at, 1) for at in there] + [(*at, -1) for at in reversed(there)]
+    text = "X [mm];Y [mm];Deviation [um];Direction\n" + "".join(f"{x};{y};0;{way * first}\n" for x, y, way in rows)
+    (tmp_path / "d.csv").write_text(text)
+    data = imported(tmp_path / "data", tmp_path / "d.csv", "--map", "at.Z=5", "target.point=0,0,0", "direction=1,-1,0")
+    np.testing.assert_array_equal(data.readings.directions[0], [1] * 4 + [-1] * 4)
+    np.testing.assert_array_equal(data.readings.directions[1], [-1] * 4 + [1] * 4)
+    assert not data.readings.directions[2].any()
+
+
 def test_a_reading_without_unit_is_not_guessed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "x.csv").write_text("target [mm];error\n0;0\n10;1\n")
     words = ["--map", "axis=X", "target.point=0,0,0", "at.Y=0", "at.Z=0"]

@@ -16,7 +16,7 @@ from trueaxis.effects.placement import REFERENCE_TEMPERATURE
 from trueaxis.instrument_files.user_keys import Question, RunKeys
 from trueaxis.machine.machine import LINEAR, Machine
 from trueaxis.measurement.instrument_kinds import ARM
-from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
+from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.measurement.limits import COLDEST, WARMEST
 from trueaxis.measurement.setup import Vector
 from trueaxis.measurement.setup_reader import LARGEST_EXPANSION
@@ -46,6 +46,19 @@ def in_angles(source: InstrumentRun, own: RunKeys) -> InstrumentRun | None:
         )
         return None
     return replace(source, reading=angle * ARM)
+
+
+def directions_of(along: DirectionArray, positions: FloatArray, mover: int | None) -> DirectionArray:
+    """(n_axes, n): ways of the axes where the file says those along the line, (n,). mover: row of the axis that moves
+    alone, whose ways these are; of several each goes with the line or against it, as the steps between rows tell.
+    """
+    found = np.zeros(positions.shape, dtype=np.int8)
+    if mover is not None:
+        found[mover] = along
+    else:  # the step that leads to a reading is in its direction, but for a few after a turn
+        with_line = np.sign(np.sum(np.sign(np.diff(positions, axis=1)) * along[1:], axis=1))
+        found[:] = with_line[:, np.newaxis] * along
+    return found
 
 
 def about(machine: Machine, axis: str | None) -> tuple[str, str, Vector | None]:

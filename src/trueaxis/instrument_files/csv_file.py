@@ -75,7 +75,7 @@ def _runs(
     ballbar = ballbar or _of_ball_bar(columns)
     if not ballbar and "angle" in columns:
         columns.setdefault("reading", columns.pop("angle"))
-    _check(columns, ballbar, faults)
+    _check(columns, ballbar, table, faults)
     faults.raise_if_any()
     scales = {
         name: _scale(name, columns[name][1], of_file, faults, table, ballbar) for name in columns if _dimension(name)
@@ -116,13 +116,13 @@ def _columns(
     table: DelimitedText, keys: RunKeys, faults: Faults, of_several: str | None
 ) -> dict[str, tuple[int, Heading]]:
     """Which column of the table, and with which unit, holds what. of_several: see `_runs`."""
-    heads, listed = [heading(text) for text in table.header], shown(", ".join(table.header), LONGEST_HEADER)
+    heads = [heading(text) for text in table.header]
     found: dict[str, tuple[int, Heading]] = {}
     for name, synonyms in NAMES.items():
         said = keys.said(f"column.{name}") or (of_several if name == "reading" else None)
         matching = called(said, heads) if said else [k for k, head in enumerate(heads) if head.name in synonyms]
         if said and not matching:
-            keys.wrong(f"column.{name}", said, f"a column of the header, line {table.header_line}: {listed}")
+            keys.wrong(f"column.{name}", said, f"a column of the header, line {table.header_line}: {_listed(table)}")
         if len(matching) > 1:
             problem = " and ".join(heads[index].text for index in matching) + f" could both be the {name}"
             faults.add(f"line {table.header_line}", problem, f"--map column.{name}=NAME says which")
@@ -133,19 +133,24 @@ def _columns(
     return found
 
 
-def _check(columns: Mapping[str, tuple[int, Heading]], ballbar: bool, faults: Faults) -> None:
+def _check(columns: Mapping[str, tuple[int, Heading]], ballbar: bool, table: DelimitedText, faults: Faults) -> None:
     axes = [name for name in LINEAR + ROTARY if name in columns]
-    if ballbar:
-        if "reading" not in columns and "radius" not in columns:
-            faults.add("", "has no readings of a ball bar", "a column deviation or radius; --map column.reading=NAME")
-        if "angle" not in columns and len(axes) < 2:
-            faults.add("", "does not say where the ball bar was read", "a column angle, or one per axis that moved")
-        return
-    if "reading" not in columns and not {"measured", "target"} <= columns.keys():
-        right = "a column reading, deviation or error, or measured beside target; --map column.reading=NAME"
-        faults.add("", "has no readings", right)
-    if "target" not in columns and not axes:
-        faults.add("", "has no positions", "a column target (ball bar: angle) or X, Y, ...; --map column.target=NAME")
+    line, has = f"line {table.header_line}", f"its columns: {_listed(table)}"
+    if ballbar and "reading" not in columns and "radius" not in columns:
+        right = f"a column deviation or radius; --map column.reading=NAME ({has})"
+        faults.add(line, "has no readings of a ball bar", right)
+    if ballbar and "angle" not in columns and len(axes) < 2:
+        faults.add(line, "does not say where the ball bar was read", f"a column angle, or two axes ({has})")
+    if not ballbar and "reading" not in columns and not {"measured", "target"} <= columns.keys():
+        right = f"a column reading, deviation or error, or measured beside target; --map column.reading=NAME ({has})"
+        faults.add(line, "has no readings", right)
+    if not ballbar and "target" not in columns and not axes:
+        right = f"a column target (ball bar: angle) or X, Y, ...; --map column.target=NAME ({has})"
+        faults.add(line, "has no positions", right)
+
+
+def _listed(table: DelimitedText) -> str:
+    return shown(", ".join(table.header), LONGEST_HEADER)
 
 
 def _dimension(name: str) -> Dimension | None:

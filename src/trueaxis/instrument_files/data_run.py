@@ -7,7 +7,7 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.instrument_files.conventions import about, in_angles, normalised
+from trueaxis.instrument_files.conventions import about, directions_of, in_angles, normalised
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.safe_text import escaped
@@ -104,10 +104,8 @@ def _along(
         id=run_id, instrument=instrument or "laser", target=PointOn(on, target), reference=reference,
         frame=frame_of, home=home, direction=direction, normalised=expansion,
     )  # fmt: skip
-    directions = None
-    if source.directions is not None and mover is not None:
-        directions = np.zeros(positions.shape, dtype=np.int8)
-        directions[machine.axes.index(mover)] = source.directions
+    row = None if mover is None else machine.axes.index(mover)
+    directions = None if source.directions is None else directions_of(source.directions, positions, row)
     return DataRun(
         run=run, source=source, positions=positions, directions=directions, reading=reading,
         assumed=own, remarks=(*source.assumed, *warmth, *remark),
