@@ -210,7 +210,7 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"{100 * imperfection.OTHERWISE[0]:g} % of what a constant {imperfection.OTHERWISE[1]} times",
         f"times their number is below {checks_of_runs.FALSE_ALARMS}",
         f"(p > {verdict.HOMOGENEOUS:.0e})".replace("e-04", "e-4"),
-        f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise.",
+        f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise; or {100 * verdict.NEARLY_ALL:g} %",
         f"The last {100 * gain.HELD:g} % of the repeats",
     ],
 )

@@ -43,22 +43,34 @@ def cause(kind: str, component: str = "EXX") -> Fitted:
 
 
 @pytest.mark.parametrize(
-    ("share", "fired", "unlikely", "stand"),
+    ("share", "kind", "fired", "homogeneous_p", "stand"),
     [
-        (0.95, [], [0.5], True),
-        (0.50, [], [0.5], True),  # no check fires: nothing is left that could be told
-        (0.95, [], [1e-5], False),  # not one size everywhere
-        (0.95, [], [0.5, 1e-5], False),  # one cause of two
-        (0.98, [], [1e-5], True),  # but practically all is explained
-        (0.97, [RIPPLE], [0.5], True),
-        (0.98, [RIPPLE, TEMPERATURE], [1e-9], True),
-        (0.96, [DIRECTION], [0.5], False),  # what is left of lost motion may be the mark of another cause
-        (0.96, [StructureClass.LACK_OF_FIT], [0.5], False),
+        (0.95, "backlash", [], 0.5, True),
+        (0.50, "backlash", [], 0.5, True),  # no check fires: nothing is left that could be told
+        (0.95, "backlash", [], 1e-5, False),  # not one size everywhere
+        (0.98, "backlash", [], 1e-5, True),  # but practically all is explained
+        (0.98, "backlash", [RIPPLE], 0.5, True),
+        (0.98, "backlash", [RIPPLE, TEMPERATURE], 1e-9, True),
+        (0.93, "backlash", [DIRECTION], 0.5, True),  # what is left is of its own class
+        (0.93, "backlash", [DIRECTION], 1e-5, False),
+        (0.93, "backlash", [RIPPLE], 0.5, False),
+        (0.93, "backlash", [DIRECTION, RIPPLE], 0.5, False),
+        (0.93, "thermal_offset", [TEMPERATURE], 0.5, True),
+        (0.93, "thermal_offset", [DIRECTION], 0.5, False),
+        (0.93, "squareness", [DIRECTION], 0.5, False),  # without an expression: of no class
+        (0.88, "backlash", [DIRECTION], 0.5, False),
+        (0.97, "backlash", [RIPPLE], 0.5, True),
+        (0.93, "backlash", [StructureClass.LINE_COURSE], 0.5, True),
+        (0.93, "drift", [TEMPERATURE], 0.5, True),
     ],
 )
-def test_names_stand(share: float, fired: list[StructureClass], unlikely: list[float], stand: bool) -> None:
+def test_names_stand(share: float, kind: str, fired: list[StructureClass], homogeneous_p: float, stand: bool) -> None:
     checks = [*(check(name) for name in fired), check(StructureClass.CIRCLE_FEED, fired=False)]
-    assert names_stand(share, checks, uneven(*unlikely)) is stand
+    assert names_stand(share, [cause(kind)], checks, uneven(homogeneous_p)) is stand
+
+
+def test_one_cause_of_two_that_is_not_one_size_is_enough() -> None:
+    assert not names_stand(0.9, [cause("backlash"), cause("drift")], [], uneven(0.5, 1e-5))
 
 
 def test_share_is_that_of_the_squares_beyond_noise() -> None:

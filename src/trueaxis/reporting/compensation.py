@@ -37,7 +37,7 @@ def compensation_text(report: CompensationReport) -> str:
         + (f", {report.short_blocks} passed in short blocks" if report.short_blocks else "")
         + (f", {report.take_ups} blocks that take up reversals" if report.take_ups else ""),
         *([f"not good, exit code 1: {failure_text(report)}"] if report.failures and not report.refused else []),
-        *(f"WARNING: {warning}" for warning in (*_unplaced(report), *report.warnings)),
+        *(f"WARNING: {warning}" for warning in (*_unplaced(report), *_hardly_known(report), *report.warnings)),
         *_errors(report),
         *_troubles(report),
         *_places(report),
@@ -75,6 +75,19 @@ def _unplaced(report: CompensationReport) -> list[str]:
     ]
 
 
+def _hardly_known(report: CompensationReport) -> list[str]:
+    """That the values say less of the tool point than they correct."""
+    known = None if report.reliance is None else report.reliance.uncertainty
+    if known is None or report.before is None or not known.largest_u > report.before.largest:
+        return []
+    rests = known.largest_u_prior is not None and known.largest_u_prior > 0.5 * known.largest_u
+    why = "what no reading tells rests on [prior] of the spec, and is left as it is" if rests else "measure more"
+    return [
+        f"the tool point is known to a standard uncertainty of {1e3 * known.largest_u:.3g} um only (from "
+        f"{known.datum}, in one coordinate), and at most {1e3 * report.before.largest:.3g} um are corrected: {why}"
+    ]
+
+
 def _resolution(report: CompensationReport) -> str:
     """The steps of words and the tolerances, in each unit that is written."""
     settings, found = report.settings, []
@@ -107,6 +120,7 @@ def _errors(report: CompensationReport) -> list[str]:
     lines = [
         f"{'error of the tool point (um)':34s}{'mean':>10s}{'sd':>10s}{'largest':>10s}  at line of file",
         *_rows(report),
+        *_uncertainty(report),
     ]
     if report.ball is not None:
         lines += ["|E| along the ball bar, Eq. (6) (um)", *_rows(report.ball)]
@@ -115,6 +129,14 @@ def _errors(report: CompensationReport) -> list[str]:
         corrected = "kept: linear axes alone are corrected" if kept else "corrected"
         lines += [f"orientation of the tool axis, {corrected} (urad)", *_rows(report.orientation, 1.0)]
     return lines
+
+
+def _uncertainty(report: CompensationReport) -> list[str]:
+    """A line of the table: how far off these errors, those of the values, may be of the machine's."""
+    known = None if report.reliance is None else report.reliance.uncertainty
+    if known is None or not known.largest_u:
+        return []
+    return [f"{f'  u of the values, from {known.datum}':34s}{'':20s}{1e3 * known.largest_u:10.2f}"]
 
 
 def _rows(of: CompensationReport | Errors, unit: float = 1e3) -> list[str]:

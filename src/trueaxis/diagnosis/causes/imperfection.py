@@ -100,9 +100,11 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             yield FLANK * np.where(mine, signal * np.exp(-since / way), 0.0)
     if "T" in used:
         yield from _of_temperature(readings, cause)
-    phase = next((place for place, one in enumerate(cause.kind.parameters) if one.role == "phase"), None)
-    if phase is not None:
-        yield from _second_harmonic(readings, cause, phase, "theta" in used)
+    if "theta" in used:
+        twice = replace(readings.reading, theta=2.0 * readings.reading.theta)
+        yield from _harmonic(replace(readings, reading=twice, memory=Memory()), cause, cause.values)
+    elif (pitch := _pitch(cause)) is not None:
+        yield from _harmonic(readings, cause, _with(cause.values, pitch, 0.5 * cause.values[pitch]))
     yield from _of_searched(readings, cause)
 
 
@@ -143,31 +145,34 @@ def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             yield np.where(rows.run == index, change, 0.0)
 
 
-def _second_harmonic(readings: Readings, cause: Fitted, phase: int, on_circles: bool) -> Iterator[FloatArray]:
-    """Of what is periodic, at two phases a quarter apart; phase: its place among the parameters."""
-    pitch = next((place for place, one in enumerate(cause.kind.parameters) if one.grid == "pitch"), None)
-    each = []
-    if pitch is not None:
-        each = [_with(cause.values, pitch, 0.5 * one) for one in _pitches(readings, cause, pitch)]
-    elif on_circles:
-        twice = replace(readings.reading, theta=2.0 * readings.reading.theta)
-        readings, each = replace(readings, reading=twice, memory=Memory()), [cause.values]
-    for values in each:
-        for quarter in (0.0, 0.5 * np.pi):
-            shifted = _with(values, phase, quarter)
-            yield HARMONIC * len(each) ** -0.5 * parameter_signature(readings, cause.effect, shifted)[0]
-
-
-def _pitches(readings: Readings, cause: Fitted, place: int) -> FloatArray:
-    """Those that the readings leave open, so near one another that second harmonics differ by a quarter of a turn at
-    most at the end of the axis: at few even targets these may be any smooth curve. What differs by half a period is
-    another peak, and has its own.
+def open_harmonics(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+    """(n,), mm, each, one standard deviation: second harmonics with any pitch that the readings leave open, so near one
+    another that they differ by a quarter of a turn at most at the end of the axis. At few even targets each of these
+    may be another smooth curve. What differs by half a period is another peak, and has its own.
     """
+    pitch = _pitch(cause)
+    if pitch is None:
+        return
     axis, rows = cause.effect.own_axis, readings.rows
     at = rows.positions[rows.axes.index(axis)] if axis else readings.reading.along
-    pitch, a_period = cause.values[place], cause.values[place] ** 2 / max(float(np.nanmax(at) - np.nanmin(at)), 1e-300)
-    away = min(OPEN * float(np.nan_to_num(cause.u[place])), 0.5 * a_period)
-    return np.asarray(pitch + away * np.linspace(-1.0, 1.0, 1 + 2 * math.ceil(8.0 * away / a_period)))
+    value, a_period = cause.values[pitch], cause.values[pitch] ** 2 / max(float(np.nanmax(at) - np.nanmin(at)), 1e-300)
+    away = min(OPEN * float(np.nan_to_num(cause.u[pitch])), 0.5 * a_period)
+    pitches = value + away * np.linspace(-1.0, 1.0, 1 + 2 * math.ceil(8.0 * away / a_period))
+    for other in pitches:
+        for column in _harmonic(readings, cause, _with(cause.values, pitch, 0.5 * other)):
+            yield column / np.sqrt(pitches.size)
+
+
+def _pitch(cause: Fitted) -> int | None:
+    """Place of the pitch among the parameters, if there is one."""
+    return next((place for place, one in enumerate(cause.kind.parameters) if one.grid == "pitch"), None)
+
+
+def _harmonic(readings: Readings, cause: Fitted, values: FloatArray) -> Iterator[FloatArray]:
+    """Second harmonic of what is periodic, at two phases a quarter apart; values: (m,), of twice the frequency."""
+    phase = next((place for place, one in enumerate(cause.kind.parameters) if one.role == "phase"), None)
+    for quarter in (0.0, 0.5 * np.pi) if phase is not None else ():
+        yield HARMONIC * parameter_signature(readings, cause.effect, _with(values, phase or 0, quarter))[0]
 
 
 def _with(values: FloatArray, place: int, value: float) -> FloatArray:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.diagnosis.causes.contest import contest
-from trueaxis.diagnosis.causes.imperfection import beside_forms, imperfections
+from trueaxis.diagnosis.causes.imperfection import beside_forms, imperfections, open_harmonics
 from trueaxis.diagnosis.causes.neighbours import spoilt_values
 from trueaxis.diagnosis.causes.refit import refit
 from trueaxis.diagnosis.causes.rivals import of_rivals, with_best_periods, with_rivals
@@ -55,7 +55,7 @@ def judged_causes(
     checks = _checks(ground, found.projection, found.residual)
     hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
     share = explained_share(ground, found, causes, checks, uneven, standing, hard)
-    if names_stand(share, checks, uneven):
+    if names_stand(share, (*standing, *causes), checks, uneven):
         return Judged(search=with_rivals(ground, found), causes=causes, groups=groups, checks=checks, stand=True)
     return without_names(ground, Judged(search=found, causes=causes, groups=groups, checks=checks, stand=False))
 
@@ -82,7 +82,10 @@ def judged_values(
     # a phase or a period that is a little off leaves a curve
     free = [column for one in known for column in directions_of(ground.readings, one)]
     judged = replace(judged, off=off)
-    besides, causes = _besides(ground, judged, known), [*free, *(one.signal for one in off), *_seen(ground, judged)]
+    besides, causes = (
+        _curves_besides(ground, judged, known),
+        [*free, *(one.signal for one in off), *_seen(ground, judged)],
+    )
     changes = stale_values(null, causes, besides, ground.freedom)
     taken = spoilt_values(null, changes, causes, besides, ground.freedom)
     if not changes.stale or taken.any() or judged.search.causes or any(one.fired for one in judged.checks):
@@ -136,7 +139,18 @@ def beside_misfits(ground: Ground, judged: Judged, changes: Changes, runs: Seque
 def _besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[FloatArray]:
     """(n,) each, mm: what causes may do besides, or would if another of their periods were the right one."""
     forms = [column for one in known for column in imperfections(ground.readings, one)]
-    return [*forms, *(of_rivals(judged.search.causes, judged.causes) if judged.causes else ())]
+    others = of_rivals(judged.search.causes, judged.causes, periods_alone=True) if judged.causes else ()
+    return [*forms, *others]
+
+
+def _curves_besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[FloatArray]:
+    """(n,) each, mm: that, and what would look like a changed curve of the machine if a rival were the cause, or the
+    pitch another that the readings leave open.
+    """
+    open_ = [column for one in known for column in open_harmonics(ground.readings, one)]
+    forms = [column for one in known for column in imperfections(ground.readings, one)]
+    rivals = of_rivals(judged.search.causes, judged.causes, periods_alone=False) if judged.causes else ()
+    return [*forms, *open_, *rivals]
 
 
 def _seen(ground: Ground, judged: Judged) -> Iterator[FloatArray]:
