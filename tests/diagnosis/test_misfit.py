@@ -9,7 +9,7 @@ from tests.diagnosis.prepared import SIGMA, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis import procedure
+from trueaxis.diagnosis import extend, procedure
 from trueaxis.diagnosis.extend import Anew, Extend
 from trueaxis.diagnosis.judging.misfit import Known, misfits
 from trueaxis.diagnosis.null_model.null import Null
@@ -17,9 +17,11 @@ from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.null_model.rows import rows_of
 from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis
+from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.model import MachineModel
+from trueaxis.reporting.diagnosis.text import summary_text
 
 FEW = Design(lines=4, repeats=2, targets=11, samples=24)
 X2 = ("X2-1", "X2-2")
@@ -61,6 +63,24 @@ def test_runs_that_no_values_fit_take_the_names_back(monkeypatch: pytest.MonkeyP
     said = diagnose(given.model, given.data, DiagnoseOptions(extend=lambda _: given.model))
     assert [one.effect.component for one in seen[0].causes] == ["EYY"]
     assert (said.verdict, said.misfits, said.causes, said.values) == ("unexplained_structure", ("X1-1",), (), None)
+
+
+def test_causes_are_told_where_the_values_of_the_machine_with_them_do_not_stand_still(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The diagnosis was lost with them."""
+    given = prepared(
+        Case(3, design=replace(FEW, lines=2), effects=(Hidden("backlash", "EYY", size=0.02),), given="exact")
+    )
+
+    def restless(*_: object) -> None:
+        raise NotConvergedError((), 30)
+
+    monkeypatch.setattr(extend, "reidentified", restless)
+    said = diagnose(given.model, given.data, DiagnoseOptions(extend=lambda _: given.model))
+    assert [one.effect.component for one in said.causes] == ["EYY"]
+    assert (said.verdict, said.values, said.settled) == ("explained", None, False)
+    assert "no extended machine is written" in summary_text(said)
 
 
 def null_model(given: Prepared, data: MeasuredData) -> Null:

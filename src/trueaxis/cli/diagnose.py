@@ -1,14 +1,12 @@
 """`trueaxis diagnose`: what a machine's model lacks, named from what it leaves unexplained in measured data."""
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import noise
 from trueaxis.cli.measured import read_measured
 from trueaxis.cli.progress import progress
-from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.beside import beside
@@ -33,7 +31,8 @@ with [[effect]] tables), errors.json (its values, identified again) and generate
 
 EPILOG = """\
 exit code: 0 the readings are noise, or named causes or a recalibration explain them; 1 several causes explain them
-alike, or no known cause does; 2 the input is wrong and nothing was written"""
+alike, no known cause does, or the values of the machine with the causes do not stand still; 2 the input is wrong and
+nothing was written"""
 
 NO_ANSWER = ("ambiguous", "unexplained_structure")
 
@@ -67,17 +66,12 @@ def run(args: argparse.Namespace) -> int:
     with progress() as show, beside(SECOND) as start:
         show("reading")
         given = _read(args)
-        try:
-            done = diagnosed(given, args.out, args.noise_um, start, show)
-        except NotConvergedError as failure:
-            show("")
-            print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
-            return 1
+        done = diagnosed(given, args.out, args.noise_um, start, show)
     print(done, end="")
     print(f"written: {', '.join(map(named, done.files))}")
     if left := left_behind(args.out, done):
         print(f"left from before, not part of this diagnosis: {', '.join(map(named, left))}")
-    return 1 if done.verdict in NO_ANSWER else 0
+    return 1 if done.verdict in NO_ANSWER or not done.diagnosis.settled else 0
 
 
 def _read(args: argparse.Namespace) -> Given:

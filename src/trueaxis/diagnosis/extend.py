@@ -67,12 +67,14 @@ def kept_readings(data: MeasuredData, diagnosis: Diagnosis) -> Observations:
 @dataclass(frozen=True, slots=True)
 class Anew:
     """What `identify` makes of the readings. values: None where no cause extends the machine; errors: a table of all;
-    misfits: runs that no errors of the machine fit.
+    misfits: runs that no errors of the machine fit; settled: whether values of the machine with the causes named stand
+    still: without, there are none.
     """
 
     values: ErrorValues | None = None
     errors: tuple[ErrorNow, ...] = ()
     misfits: tuple[str, ...] = ()
+    settled: bool = True
 
 
 def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:
@@ -91,7 +93,9 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
     try:
         readings = kept_readings(data, found)
         values, errors, fit = reidentified(extended, model.errors, readings, start)
-    except (NotConvergedError, InputError):
+    except NotConvergedError:
+        return Anew(settled=not named)
+    except InputError:
         if named:
             raise
         return Anew()

@@ -55,8 +55,8 @@ class DiagnoseOptions:
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
     """What the model gets wrong of the data, and why. Raises ValueError where no reading can be used, or where error
-    values name their covariance and the options have none; NotConvergedError where the values of the machine with the
-    causes named do not stand still, InputError where the readings hold none.
+    values name their covariance and the options have none; InputError where the readings hold no value of the machine
+    with the causes named.
 
     Cost: linear in the number of readings, times rank of the base (hundreds) times the points of all grids.
     """
@@ -85,7 +85,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("extending")
     anew = identified_anew(model, data, before, options.extend)
     if set(anew.misfits) <= set(before.misfits):
-        return replace(before, errors=anew.errors, values=anew.values)
+        return replace(before, errors=anew.errors, values=anew.values, settled=anew.settled)
     judged, changes = beside_misfits(ground, judged, changes, anew.misfits)
     return replace(record(_outcome(ground, null, judged, changes)), errors=anew.errors)
 

@@ -105,8 +105,8 @@ def diagnose(
     errors: None: all zero, the nominal machine. noise_um: standard deviation of a reading, um (from repeats). out:
     a folder for diagnosis.json, report.html and, if causes were named, the extended model: NAME.toml, errors.json
     and generated/NAME/. Raises InputError if no reading can be used, the spec was changed since it was loaded, or
-    an output is an input; NotConvergedError if the values of the extended machine do not converge; ValueError for
-    arguments of another form.
+    an output is an input; ValueError for arguments of another form. Where the values of the extended machine do not
+    converge there is none.
     """
     check_noise(noise_um)
     machine, folder = model.machine, None if out is None else Path(out)

@@ -131,12 +131,17 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
         left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
         named = enumerated([one.effect.label for one in diagnosis.causes])
         yield f"beside {named} a remainder is left: {'; '.join(left)}"
+    if not diagnosis.settled:
+        yield (
+            "the error values of the machine with these causes do not stand still: no extended machine is written. Put "
+            "the causes into the spec as [[effect]] tables and identify with it; its report names the worst runs"
+        )
     if held_out_warning(diagnosis.gain):
         yield held_out_warning(diagnosis.gain)
     for cause in diagnosis.causes:
         if cause.rivals:
             titles = [lower_case(title) for title in alternatives(cause)]
-            yield f"{enumerated(titles)} predict the same readings"
+            yield f"{enumerated(titles)} predict the same readings, but for what real effects differ from their form"
     if diagnosis.outliers:
         count = len(diagnosis.outliers)
         yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
