@@ -69,16 +69,14 @@ def test_causes_are_told_where_the_values_of_the_machine_with_them_do_not_stand_
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The diagnosis was lost with them."""
-    given = prepared(
-        Case(3, design=replace(FEW, lines=2), effects=(Hidden("backlash", "EYY", size=0.02),), given="exact")
-    )
+    given = prepared(Case(3, design=FEW, effects=(Hidden("servo_lag", "EXX", size=1e-4),), given="exact"))
 
     def restless(*_: object) -> None:
         raise NotConvergedError((), 30)
 
     monkeypatch.setattr(extend, "reidentified", restless)
     said = diagnose(given.model, given.data, DiagnoseOptions(extend=lambda _: given.model))
-    assert [one.effect.component for one in said.causes] == ["EYY"]
+    assert [one.effect.component for one in said.causes] == ["EXX"]
     assert (said.verdict, said.values, said.settled) == ("explained", None, False)
     assert "no extended machine is written" in summary_text(said)
 
