@@ -25,4 +25,4 @@ def test_curves_that_end_at_an_order_which_readings_tell_are_named(degree: int |
     else:
         assert "EXX" in note
         assert "(order 3)" in note
-        assert "without --degree" in note
+        assert "--degree 28 takes more orders" in note

@@ -81,6 +81,13 @@ def test_instruments_tools_and_lengths_are_those_at_hand() -> None:
     assert len(candidates(model(), Kit(instruments=("laser",)))) == 3 * 5 * 3 + 3 * 2 * 2 + 4
 
 
+def test_an_instrument_sits_where_it_sits_in_the_plan() -> None:
+    ball, optic = (0.0, 0.0, -150.0), (10.0, 0.0, -120.0)
+    kit = Kit(instruments=("laser", "ballbar", "probe"), tools=(optic,), points={"ballbar": (ball,), "laser": (optic,)})
+    for one in candidates(model(), kit):
+        assert one.run.target.point == (ball if one.run.instrument == "ballbar" else optic)
+
+
 def test_a_set_up_takes_its_time_once() -> None:
     found = candidates(model(), Kit(instruments=("ballbar",), lengths=(150.0,)))
     keys = [set_up_of(one.run, one.positions) for one in found]

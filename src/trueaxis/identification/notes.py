@@ -186,9 +186,10 @@ def _rough(found: Estimate) -> Iterator[str]:
     for degree, names in by_degree.items():
         yield (
             f"{enumerated(names)}: readings tell waves as fine as the curve can follow (order {degree}), and may hold "
-            "finer ones, as of a pitch table: the noise then holds what is between the targets, and beyond the "
-            "outermost ones the curve may be off by several u; read home and both ends of the travel"
-            + (", or take more orders (without --degree)" if degree < HIGHEST_DEGREE else "")
+            "finer ones (of a pitch table, of each turn of a rotary axis), or lost motion that the spec does not have: "
+            "the noise then holds what is between the targets, and beyond the outermost ones the curve may be off by "
+            "several u; read home and both ends of the travel"
+            + (f"; --degree {HIGHEST_DEGREE} takes more orders" if degree < HIGHEST_DEGREE else "")
         )
 
 

@@ -47,17 +47,23 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kit:
-    """What is at hand. tools: points in the tool frame at which optics, balls and styli sit, mm; lengths: of ball bars,
-    mm; devices: of instruments, where they are known; session: of the new runs; everywhere: whether circles and turns
-    are wanted at all places of the travels, or in the middle alone.
+    """What is at hand. tools: points in the tool frame at which optics, balls and styli sit, mm, but for instruments
+    that have points of their own, `points`; lengths: of ball bars, mm; devices: of instruments, where they are known;
+    session: of the new runs; everywhere: whether circles and turns are wanted at all places of the travels, or in the
+    middle alone.
     """
 
     instruments: tuple[Instrument, ...]
     tools: tuple[Vector, ...] = ((0.0, 0.0, 0.0),)
+    points: Mapping[str, tuple[Vector, ...]] = field(default_factory=dict)
     lengths: tuple[float, ...] = LENGTHS
     devices: Mapping[str, Device] = field(default_factory=dict)
     session: str = ""
     everywhere: bool = True
+
+    def on_tool(self, instrument: Instrument) -> tuple[Vector, ...]:
+        """Where it sits on the tool."""
+        return self.points.get(instrument, self.tools)
 
     def places(self, machine: IdentifiedMachine) -> list[FloatArray]:
         """(n_axes, 1) each, at which circles and turns are."""
@@ -81,7 +87,7 @@ def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
 
 def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """Along every linear axis, the others at the middle or at ends of their travels: displacement and straightness."""
-    for tool, axis in product(kit.tools, linear_axes(machine)):
+    for tool, axis in product(kit.on_tool("laser"), linear_axes(machine)):
         others = [other for other in linear_axes(machine) if other != axis]
         for shares in [(0.5,) * len(others), *product((0.0, 1.0), repeat=len(others))]:
             ends = {other: (share, share) for other, share in zip(others, shares, strict=True)}
@@ -99,7 +105,7 @@ def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 def _diagonals(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """Displacement along the diagonals of the faces and of the volume (ISO 230-6)."""
     linear = linear_axes(machine)
-    for tool, count in product(kit.tools, (2, 3)):
+    for tool, count in product(kit.on_tool("laser"), (2, 3)):
         for moved in combinations(linear, count):
             rest = [axis for axis in linear if axis not in moved]
             signs = product((1.0, 0.0), repeat=count - 1)
@@ -118,7 +124,7 @@ def _diagonals(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A calibrated plate probed in planes of the axes, low, in the middle and high; read in x, y and z."""
     linear = linear_axes(machine)
-    for tool, plane in product(kit.tools, combinations(linear, 2)):
+    for tool, plane in product(kit.on_tool("probe"), combinations(linear, 2)):
         rest = [axis for axis in linear if axis not in plane]
         for shares in product((0.0, 0.5, 1.0), repeat=len(rest)):
             at = {axis: at_share(machine, axis, share) for axis, share in zip(rest, shares, strict=True)}
@@ -130,7 +136,7 @@ def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
 def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A probe follows a sphere on the workpiece while a rotary axis turns; read in x, y, z of the bed."""
-    for tool, axis, place in product(kit.tools, rotary_axes(machine), kit.places(machine)):
+    for tool, axis, place in product(kit.on_tool("probe"), rotary_axes(machine), kit.places(machine)):
         for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
             turning = turn(machine, axis, at)
@@ -157,7 +163,7 @@ def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """The tool ball on circles about a workpiece ball, in the planes of the workpiece; arcs where travels end."""
     angle = 2.0 * np.pi * np.arange(CIRCLE) / CIRCLE
     planes = combinations(range(3), 2)
-    for tool, place, plane, length in product(kit.tools, kit.places(machine), planes, kit.lengths):
+    for tool, place, plane, length in product(kit.on_tool("ballbar"), kit.places(machine), planes, kit.lengths):
         centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
         way = np.repeat(centre, angle.size, axis=1)
         way[plane[0]] += length * np.cos(angle)
@@ -171,7 +177,7 @@ def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 def _bar_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A rotary axis turns, the tool ball follows beside the workpiece ball: along x, y or z of the workpiece."""
     length = min(kit.lengths)
-    for tool, axis, place, side in product(kit.tools, rotary_axes(machine), kit.places(machine), range(3)):
+    for tool, axis, place, side in product(kit.on_tool("ballbar"), rotary_axes(machine), kit.places(machine), range(3)):
         for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
             turning = turn(machine, axis, at)
@@ -187,7 +193,7 @@ def _tilts(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
     The others stand in the middle of their travels: a rotation is the same wherever they are.
     """
-    tool = kit.tools[0]
+    tool = kit.on_tool("angle")[0]
     for axis in linear_axes(machine):
         others = {other: (0.5, 0.5) for other in linear_axes(machine) if other != axis}
         positions = line(machine, {axis: (0.0, 1.0), **others})
@@ -200,7 +206,7 @@ def _tilts(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
 def _rotations(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """Every rotary axis against an indexer or encoder about its own axis, the others at home."""
-    tool = kit.tools[0]
+    tool = kit.on_tool("angle")[0]
     for axis, place in product(rotary_axes(machine), kit.places(machine)[:1]):
         positions = turn(machine, axis, place)
         about = _vector(_axis_of(machine, positions), 9)

@@ -136,16 +136,20 @@ def _with_report(
 
 
 def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Instrument]) -> Kit:
-    """What the plan has at hand: instruments, bars, a place on the tool."""
+    """What the plan has at hand: instruments, bars, their places on the tool."""
     used = tuple(dict.fromkeys(instruments or (run.instrument for run in runs)))
     lengths = tuple(dict.fromkeys(run.length for run in runs if run.length is not None)) or LENGTHS
     devices: dict[str, Device] = {}
+    points: dict[str, tuple[Vector, ...]] = {}
     for run in runs:
         if run.device is not None:
             devices[run.instrument] = run.device
-    on_tool = [end.point for run in runs for end in (run.target, run.reference) if end.on == "tool"]
-    tools = tuple(dict.fromkeys((*on_tool[:1], *options.tools)))
-    return Kit(instruments=used, tools=tools, lengths=lengths, devices=devices, session=runs[-1].session)
+        on_tool = [end.point for end in (run.target, run.reference) if end.on == "tool"]
+        points[run.instrument] = tuple(dict.fromkeys((*points.get(run.instrument, ()), *on_tool)))
+    points = {instrument: of for instrument, of in points.items() if of}
+    tools = next(iter(points.values()), options.tools)[:1]
+    session = runs[-1].session
+    return Kit(instruments=used, tools=tools, points=points, lengths=lengths, devices=devices, session=session)
 
 
 def _wish(options: PlanOptions, kit: Kit) -> Wish:
