@@ -26,8 +26,8 @@ DESCRIPTION = """\
 Name what the model of a machine lacks. The residuals of the readings are searched for the causes of the effect library
 (backlash, cyclic errors, thermal growth, servo lag, a laser or ball bar that is off ...). Each cause is reported with
 its size, uncertainty and evidence, and with rivals that the readings cannot distinguish from it. --out gets
-diagnosis.json and report.html and, if causes were named, the extended model for all other commands: NAME.toml (the spec
-with [[effect]] tables), errors.json (its values, identified again) and generated/NAME/."""
+diagnosis.json and report.html and, if causes have a name that nothing rivals, the extended model for all other
+commands: NAME.toml (the spec with [[effect]] tables), errors.json (its values, identified again), generated/NAME/."""
 
 EPILOG = """\
 exit code: 0 the readings are noise, or named causes or a recalibration explain them; 1 several causes explain them

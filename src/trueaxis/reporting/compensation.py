@@ -215,6 +215,8 @@ def _places(report: CompensationReport) -> list[str]:
         f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
         for one in report.effects
     ]
+    if any(one.compensated for one in report.effects):
+        lines.append("with effects all arcs become chords: a reversal may lie in the midst of one")
     if report.uncommanded_left is not None:
         left = report.uncommanded_left
         lines.append(
@@ -236,7 +238,10 @@ def _places(report: CompensationReport) -> list[str]:
     if report.unnamed_feeds is not None:
         lines.append(_unnamed_feeds(report.unnamed_feeds))
     if report.over_places:
-        lines.append("above tolerance if these axes stand elsewhere: say by --start where they stand, or command them")
+        lines.append(
+            "above tolerance if these axes stand elsewhere: say by --start where they stand at its start; after a "
+            "tool change or a stop, command them anew, or say by --pass-m that it moves none"
+        )
     return lines
 
 
