@@ -53,6 +53,15 @@ def test_what_a_run_separates_and_from_which_size_on() -> None:
             Separating(cause=Placed(builders.BACKLASH), left=(Placed(builders.LAG),), broken_by="another feed"),
             "none of the runs considered separates it from servo_lag EXX; it takes: another feed",
         ),
+        (
+            Separating(
+                cause=Placed(builders.BACKLASH),
+                left=(Placed(replace(builders.BACKLASH, component="EBX")),),
+                broken_by="circles in both directions",
+            ),
+            "none of the runs considered separates it from backlash EBX; it takes: the same motion read with the "
+            "optic, or the ball, elsewhere on the tool or on the workpiece",
+        ),
     ],
 )
 def test_what_tells_a_cause_from_its_rivals(separating: Separating, sentence: str) -> None:

@@ -25,6 +25,9 @@ from trueaxis.reporting.diagnosis.words import (
 
 DIGITS = 2  # of sizes that are told apart
 NAMED = 4  # runs; more of them are counted
+# what tells the same of another error of the axis: at one place on the tool a rotation moves the tool point as a
+# translation does
+ELSEWHERE = "the same motion read with the optic, or the ball, elsewhere on the tool or on the workpiece"
 _INSTRUMENTS = {"ballbar": "a ball bar", "laser": "a laser"}
 
 
@@ -74,7 +77,12 @@ def _proposal(one: NextRun) -> Proposal:
 def separating_run(separating: Separating) -> str:
     """The run that tells a cause from its rivals, from which size on, and what it leaves open."""
     if separating.told is None:
-        other = f"; it takes: {separating.broken_by}" if separating.broken_by else ""
+        own = separating.cause.effect
+        elsewhere = any(
+            one.effect.kind == own.kind and one.effect.component != own.component for one in separating.left
+        )
+        takes = ELSEWHERE if elsewhere else separating.broken_by
+        other = f"; it takes: {takes}" if takes else ""
         return f"none of the runs considered separates it from {_labels(separating.cause, separating.left)}{other}"
     apart = _labels(separating.cause, separating.apart)
     text = f"{_times(separating.run, separating.times)}, separates it from {apart}: {_smallest(separating.told)}"
