@@ -10,8 +10,8 @@ def contradicting(count: int, *, zeros_free: float = 1.0, moved: float = 1e-3) -
 
 def test_ten_runs_are_listed_and_the_others_counted() -> None:
     assert str(contradicting(1)).startswith(
-        "run X1 contradicts all others: noise alone takes a sound run as far from what the others predict with a "
-        "probability of 1e-07 (the farthest combination of readings: 12 standard deviations)"
+        "run X1 contradicts all others: noise alone takes all readings of a sound run as far from what the others "
+        "predict with a probability of 1e-07 (together; the farthest combination of them is 12 standard deviations off)"
     )
     assert "X9 and X10 contradict all others" in str(contradicting(10))
     assert "X9, X10 and 2 more contradict all others" in str(contradicting(12))

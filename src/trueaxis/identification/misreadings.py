@@ -53,12 +53,12 @@ class Contradicting:
         left = len(self.runs) - MOST_RUNS
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
-            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: noise alone takes a sound "
-            f"run as far from what the others predict with a probability of {_probability(self.log_p)} (the farthest "
-            f"combination of readings: {self.times:.2g} standard deviations); without {them} the tool point moves by "
-            f"{self.moved * 1e3:.2g} um (RMS over the volume), and its u is {self.u * 1e3:.2g} um then (are runs "
-            "swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
-            "effect? diagnose tells more)"
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: noise alone takes all "
+            "readings of a sound run as far from what the others predict with a probability of "
+            f"{_probability(self.log_p)} (together; the farthest combination of them is {self.times:.2g} standard "
+            f"deviations off); without {them} the tool point moves by {self.moved * 1e3:.2g} um (RMS over the volume), "
+            f"and its u is {self.u * 1e3:.2g} um then (does the model lack an effect, such as lost motion? Are runs "
+            "swapped, is a target, reference, home or ball not where setup.toml says? diagnose tells more)"
         )
 
 
