@@ -1,5 +1,6 @@
 """`trueaxis plan`: a plan judged, runs proposed for it, a first plan from nothing."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -140,16 +141,21 @@ def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Ins
     used = tuple(dict.fromkeys(instruments or (run.instrument for run in runs)))
     lengths = tuple(dict.fromkeys(run.length for run in runs if run.length is not None)) or LENGTHS
     devices: dict[str, Device] = {}
-    points: dict[str, tuple[Vector, ...]] = {}
+    on_tool: dict[str, list[Vector]] = {}
     for run in runs:
         if run.device is not None:
             devices[run.instrument] = run.device
-        on_tool = [end.point for end in (run.target, run.reference) if end.on == "tool"]
-        points[run.instrument] = tuple(dict.fromkeys((*points.get(run.instrument, ()), *on_tool)))
-    points = {instrument: of for instrument, of in points.items() if of}
+        ends = [end.point for end in (run.target, run.reference) if end.on == "tool"]
+        on_tool.setdefault(run.instrument, []).extend(ends)
+    points = {instrument: _first_and_farthest(of) for instrument, of in on_tool.items() if of}
     tools = next(iter(points.values()), options.tools)[:1]
     session = runs[-1].session
     return Kit(instruments=used, tools=tools, points=points, lengths=lengths, devices=devices, session=session)
+
+
+def _first_and_farthest(points: Sequence[Vector]) -> tuple[Vector, ...]:
+    """The first place, and that which is farthest from it: of a rotation the others tell less, and all take time."""
+    return tuple(dict.fromkeys((points[0], max(points, key=lambda one: math.dist(one, points[0])))))
 
 
 def _wish(options: PlanOptions, kit: Kit) -> Wish:
