@@ -12,6 +12,8 @@ Test = Callable[[Line], bool]
 
 NO_NAME = ("mute", "flawed")  # an effect that the library cannot name in these readings
 LIBRARY = ("effect", "two", "stale_effect")
+HIDDEN = ("effect", "two", "outside", "instrument")
+CURVES = ("absorbed", "curve")
 CERTAIN = 1e-6  # p value of the given values below which they must be called stale
 LARGE_SET = 3
 NEAR = 0.2  # by how much the audit's limit may differ
@@ -113,6 +115,9 @@ def shares(lines: Sequence[Line]) -> list[Share]:
     unseen, hopeless = of_state(lines, ("effect",), "absorbed"), of_state(lines, ("effect",), "too small", "mute")
     flawed = of_state(lines, ("effect",), "flawed")
     two, off = of_state(lines, ("two",), "isolable"), of_state(lines, ("instrument",))
+    # what no reading tells from a changed curve is one for all that anybody knows
+    beside = [x for x in lines if x["given"] == "truth" and x["kind"] in HIDDEN and x["grade"] != FAILED]
+    beside = [x for x in beside if all(one["state"] not in CURVES for one in x["hidden"])]
     with_effect = of_state(lines, ("stale_effect",), "isolable")
     return [
         Share("a wrong name, effects of the library", "limit < 1 %", library, is_wrong),
@@ -140,6 +145,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
         Share("nothing hidden: unexplained", "", clean, is_unexplained),
         Share("nothing hidden, zeros given: recalibrate", "", zeros, says_stale),
         Share("nothing hidden, true values: recalibrate", "", true, says_stale),
+        Share("something hidden, true values: called stale", "", beside, says_stale),
         Share("an instrument far off: named or in a set", "", off, is_right),
         Share("an instrument far off: unexplained", "", off, is_unexplained),
         Share("an instrument far off: a wrong name", "", off, is_wrong),
