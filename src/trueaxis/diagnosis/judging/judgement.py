@@ -75,17 +75,13 @@ def judged_values(
 
     Causes that may not be named, and structure that nothing explains, are there all the same, and leave curves.
     """
-    off = instruments_off(
-        null, np.sum([*(one.signal for one in (*standing, *judged.causes)), np.zeros(null.rows.size)], axis=0)
-    )
+    signals = [one.signal for one in (*standing, *judged.causes)]
+    judged = replace(judged, off=instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0)))
     known = (*standing, *judged.causes, *judged.unnamed)
     # a phase or a period that is a little off leaves a curve
     free = [column for one in known for column in directions_of(ground.readings, one)]
-    judged = replace(judged, off=off)
-    besides, causes = (
-        _curves_besides(ground, judged, known),
-        [*free, *(one.signal for one in off), *_seen(ground, judged)],
-    )
+    causes = [*free, *(one.signal for one in judged.off), *_seen(ground, judged)]
+    besides = _curves_besides(ground, judged, known)
     changes = stale_values(null, causes, besides, ground.freedom)
     taken = spoilt_values(null, changes, causes, besides, ground.freedom)
     if not changes.stale or taken.any() or judged.search.causes or any(one.fired for one in judged.checks):
