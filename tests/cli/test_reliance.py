@@ -1,6 +1,7 @@
 """What rests on the readings and what does not, from `identify` to `fit` and `predict`, as a user runs them."""
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -201,7 +202,17 @@ def test_the_parts_of_u_are_written_and_predicted(
     words = ["compensate", str(MACHINE), "--errors", str(estimated), str(tmp_path / "part.nc")]
     (tmp_path / "part.nc").write_text("G21 G90\nG1 X270. Y350. Z150. F1000\nX280.\n")
     assert main([*words, "--out", str(tmp_path / "c.nc"), *KERNELS]) == 0
-    assert "largest part from [prior] of the spec" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "largest part from [prior] of the spec" in said
+
+    def figure(pattern: str) -> float:
+        (told,) = re.findall(pattern, said)
+        return float(told)
+
+    row = figure(r"u of the values, from home +(\S+)")
+    assert row == pytest.approx(figure(r"in one coordinate: (\S+) um"), rel=5e-3)
+    corrected = figure(r"as programmed +\S+ +\S+ +(\S+)")
+    assert ("WARNING: the tool point is known" in said) == (row > corrected)
 
 
 def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> None:

@@ -12,8 +12,10 @@ from tests.worlds.estimates import world
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.measurement.setup import Device
+from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.method import PlanOptions, _kit_of
 from trueaxis.planning.runs import RUN_MINUTES, SET_UP_MINUTES, minutes, no_runs, run_minutes, set_up_of
 
 ALL = Kit(instruments=("laser", "ballbar", "probe"))
@@ -86,6 +88,17 @@ def test_an_instrument_sits_where_it_sits_in_the_plan() -> None:
     kit = Kit(instruments=("laser", "ballbar", "probe"), tools=(optic,), points={"ballbar": (ball,), "laser": (optic,)})
     for one in candidates(model(), kit):
         assert one.run.target.point == (ball if one.run.instrument == "ballbar" else optic)
+
+
+def test_the_first_and_the_farthest_place_on_the_tool_are_those_of_the_plan() -> None:
+    """The point whose uncertainty is wanted is no place of a ball."""
+    at = [(0.0, 0.0, -120.0), (0.0, 0.0, -110.0), (0.0, 40.0, -120.0)]
+    lasers = candidates(model(), Kit(instruments=("laser",), tools=tuple(at)))
+    runs = [next(one.run for one in lasers if one.run.target.point == point) for point in at]
+    options = PlanOptions(given=ErrorValues(machine="dmu60p"), noise={}, tools=((0.0, 0.0, 0.0),))
+    kit = _kit_of(runs, options, ("laser", "ballbar"))
+    assert kit.on_tool("laser") == (at[0], at[2])
+    assert kit.on_tool("ballbar") == (at[0],)
 
 
 def test_a_set_up_takes_its_time_once() -> None:

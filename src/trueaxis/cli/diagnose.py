@@ -31,7 +31,7 @@ commands: NAME.toml (the spec with [[effect]] tables), errors.json (its values, 
 
 EPILOG = """\
 exit code: 0 the readings are noise, or named causes or a recalibration explain them; 1 several causes explain them
-alike, no known cause does, or the values of the machine with the causes do not stand still; 2 the input is wrong and
+alike, no known cause does, or the values of the machine with the causes have not converged; 2 the input is wrong and
 nothing was written"""
 
 NO_ANSWER = ("ambiguous", "unexplained_structure")

@@ -67,8 +67,8 @@ def kept_readings(data: MeasuredData, diagnosis: Diagnosis) -> Observations:
 @dataclass(frozen=True, slots=True)
 class Anew:
     """What `identify` makes of the readings. values: None where no cause extends the machine; errors: a table of all;
-    misfits: runs that no errors of the machine fit; settled: whether values of the machine with the causes named stand
-    still: without, there are none.
+    misfits: runs that no errors of the machine fit; settled: whether the values with the causes named have
+    converged: there are none where they have not.
     """
 
     values: ErrorValues | None = None

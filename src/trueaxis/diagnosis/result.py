@@ -261,8 +261,8 @@ class Diagnosis:
     threshold: evidence that a candidate had to reach; absences: what the data lack; report: what
     setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
     readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first;
-    values: of the machine with the causes named, None where none extends it; settled: whether these stand still:
-    there are none where they do not.
+    values: of the machine with the causes named, None where none extends it; settled: whether these have
+    converged: there are none where they have not.
     """
 
     machine: str

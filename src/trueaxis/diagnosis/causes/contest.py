@@ -58,7 +58,7 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     tight, found, (cause,) = with_best_periods(tight, found, refit(tight, (best,)), ())
     (best,) = with_rivals(tight, found).causes
     others = [one.fitted for one in best.rivals if one.fitted.effect != cause.effect]
-    besides = (*imperfections(tight.readings, cause), *of_rivals((best,), (cause,), periods_alone=True))
+    besides = (*imperfections(tight.readings, cause), *of_rivals((best,), (cause,)))
     left = stale_values(null, (*known, *directions_of(tight.readings, cause)), besides, tight.freedom)
     tried = [(cause, left), *((one, _left(tight, null, one, known)) for one in others[: MOST - 1])]
     # an effect that aliases to a slow curve at targets of one distance has any size

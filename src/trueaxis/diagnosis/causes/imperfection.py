@@ -33,7 +33,8 @@ FLANK = 1.0  # of what turns with the direction, right after a reversal
 TAKEN_UP = {"d": (0.3, 1.0), "d_path": (0.3, 1.0), "d_time": (0.015, 0.06)}
 LAG = 3**-0.5, (250.0, 1000.0, 4000.0)  # of what follows the temperature; by one of these time constants, s
 HARMONIC = 0.2  # second harmonic of what is periodic
-OPEN = 2.0  # standard uncertainties of a pitch, within which it is
+OPEN = 2.0  # standard uncertainties of a pitch, within which it is, in 95 % of cases
+PEAK = 0.5  # periods over the range of the axis: half the width of a peak, beyond which another begins
 OTHERWISE = 0.3, 1.6  # of what decays, with its constant so many times larger or smaller
 SAMPLES = 500  # of the course of the temperature
 
@@ -148,7 +149,7 @@ def _of_temperature(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
 def open_harmonics(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """(n,), mm, each, one standard deviation: second harmonics with any pitch that the readings leave open, so near one
     another that they differ by a quarter of a turn at most at the end of the axis. At few even targets each of these
-    may be another smooth curve. What differs by half a period is another peak, and has its own.
+    may be another smooth curve.
     """
     pitch = _pitch(cause)
     if pitch is None:
@@ -156,8 +157,9 @@ def open_harmonics(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     axis, rows = cause.effect.own_axis, readings.rows
     at = rows.positions[rows.axes.index(axis)] if axis else readings.reading.along
     value, a_period = cause.values[pitch], cause.values[pitch] ** 2 / max(float(np.nanmax(at) - np.nanmin(at)), 1e-300)
-    away = min(OPEN * float(np.nan_to_num(cause.u[pitch])), 0.5 * a_period)
-    pitches = value + away * np.linspace(-1.0, 1.0, 1 + 2 * math.ceil(8.0 * away / a_period))
+    away = min(OPEN * float(np.nan_to_num(cause.u[pitch])), PEAK * a_period)
+    steps = math.ceil(2 * 4 * away / a_period)  # quarters of a turn of the harmonic, to each side
+    pitches = value + away * np.linspace(-1.0, 1.0, 1 + 2 * steps)
     for other in pitches:
         for column in _harmonic(readings, cause, _with(cause.values, pitch, 0.5 * other)):
             yield column / np.sqrt(pitches.size)

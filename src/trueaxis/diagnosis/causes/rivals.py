@@ -80,17 +80,17 @@ def with_best_periods(
     return ground, found, refit(ground, found.causes)
 
 
-def of_rivals(found: Sequence[Found], causes: Sequence[Fitted], *, periods_alone: bool) -> list[FloatArray]:
-    """(n,) each, mm: what readings would hold besides, were a rival of a cause the right one; found: the causes.
+def of_rivals(found: Sequence[Found], causes: Sequence[Fitted], *, of_others: bool = False) -> list[FloatArray]:
+    """(n,) each, mm: what readings would hold besides, were another period that of a cause; found: the causes.
 
-    periods_alone: only other periods of the same.
+    of_others: were another effect the cause, in place of that.
     """
     signal = {one.effect: one.signal for one in causes}
     return [
         rival.fitted.signal - signal[one.scan.effect]
         for one in found
         for rival in one.rivals
-        if rival.fitted.effect == one.scan.effect or not periods_alone
+        if (rival.fitted.effect != one.scan.effect) == of_others
     ]
 
 

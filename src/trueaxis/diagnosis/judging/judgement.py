@@ -135,8 +135,7 @@ def beside_misfits(ground: Ground, judged: Judged, changes: Changes, runs: Seque
 def _besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[FloatArray]:
     """(n,) each, mm: what causes may do besides, or would if another of their periods were the right one."""
     forms = [column for one in known for column in imperfections(ground.readings, one)]
-    others = of_rivals(judged.search.causes, judged.causes, periods_alone=True) if judged.causes else ()
-    return [*forms, *others]
+    return [*forms, *(of_rivals(judged.search.causes, judged.causes) if judged.causes else ())]
 
 
 def _curves_besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> list[FloatArray]:
@@ -144,9 +143,8 @@ def _curves_besides(ground: Ground, judged: Judged, known: Sequence[Fitted]) -> 
     pitch another that the readings leave open.
     """
     open_ = [column for one in known for column in open_harmonics(ground.readings, one)]
-    forms = [column for one in known for column in imperfections(ground.readings, one)]
-    rivals = of_rivals(judged.search.causes, judged.causes, periods_alone=False) if judged.causes else ()
-    return [*forms, *open_, *rivals]
+    others = of_rivals(judged.search.causes, judged.causes, of_others=True) if judged.causes else ()
+    return [*_besides(ground, judged, known), *open_, *others]
 
 
 def _seen(ground: Ground, judged: Judged) -> Iterator[FloatArray]:

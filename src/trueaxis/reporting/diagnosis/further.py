@@ -141,15 +141,15 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
         yield f"beside {named} a remainder is left: {'; '.join(left)}"
     if not diagnosis.settled:
         yield (
-            "the error values of the machine with these causes do not stand still: no extended machine is written. Put "
-            "the causes into the spec as [[effect]] tables and identify with it; its report names the worst runs"
+            "the error values of the machine with these causes have not converged: no extended machine is written. "
+            "Put the causes into the spec as [[effect]] tables and identify with it: that names the worst runs"
         )
     if held_out_warning(diagnosis.gain):
         yield held_out_warning(diagnosis.gain)
     for cause in diagnosis.causes:
         if cause.rivals:
             titles = [lower_case(title) for title in alternatives(cause)]
-            yield f"{enumerated(titles)} predict the same readings, but for what real effects differ from their form"
+            yield f"{enumerated(titles)} predict readings that differ by less than real effects do from their form"
     if diagnosis.outliers:
         count = len(diagnosis.outliers)
         yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
