@@ -10,6 +10,7 @@ from tests.planning.data import model
 from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
@@ -95,7 +96,7 @@ def test_the_first_and_the_farthest_place_on_the_tool_are_those_of_the_plan() ->
     at = [(0.0, 0.0, -120.0), (0.0, 0.0, -110.0), (0.0, 40.0, -120.0)]
     lasers = candidates(model(), Kit(instruments=("laser",), tools=tuple(at)))
     runs = [next(one.run for one in lasers if one.run.target.point == point) for point in at]
-    options = PlanOptions(given=ErrorValues(machine="dmu60p"), noise={}, tools=((0.0, 0.0, 0.0),))
+    options = PlanOptions(given=ErrorValues(machine="dmu60p"), noise=NoiseModel(), tools=((0.0, 0.0, 0.0),))
     kit = _kit_of(runs, options, ("laser", "ballbar"))
     assert kit.on_tool("laser") == (at[0], at[2])
     assert kit.on_tool("ballbar") == (at[0],)
