@@ -50,6 +50,7 @@ def test_workers_have_an_environment_of_their_own_and_this_process_keeps_its(mon
     with client_of(Workers(count=1, memory=MEMORY)) as client:
         of_worker = by_key(run_tasks(client, [task("e", work.environment)]))["e"].result
     assert (of_worker["OPENBLAS_NUM_THREADS"], of_worker["PYTHONSAFEPATH"]) == ("1", "1")
+    assert of_worker["PYTHONWARNINGS"] == "ignore"  # Dask warns of a slow disk before a worker is silent
     assert of_worker["PYTHONPATH"] == "/elsewhere"
     assert dict(os.environ) == before
 

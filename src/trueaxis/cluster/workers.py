@@ -13,6 +13,7 @@ import signal
 import socket
 import sys
 import tempfile
+import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -35,10 +36,11 @@ MEMORY_SHARE = 0.95  # of a worker's memory: from there on it is ended, before t
 
 # OpenBLAS and its like: one thread, as in the command itself; the last digits depend on the number of threads.
 # PYTHONSAFEPATH: a new process imports nothing from the current folder, which holds data. DASK_LOGGING: what a worker
-# says before it is silent. Threads and import path must be in the environment before a process starts.
+# says before it is silent, and PYTHONWARNINGS what it warns of, such as a disk that is slow when it is started anew.
+# Threads and import path must be in the environment before a process starts.
 ENVIRONMENT = {
     "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "VECLIB_MAXIMUM_THREADS": "1",
-    "PYTHONSAFEPATH": "1", "DASK_LOGGING__DISTRIBUTED": "critical",
+    "PYTHONSAFEPATH": "1", "DASK_LOGGING__DISTRIBUTED": "critical", "PYTHONWARNINGS": "ignore",
 }  # fmt: skip
 
 _CONFIGURATION = {
@@ -109,11 +111,13 @@ def _embedded_client(count: int, memory: int | None) -> Iterator[Any]:
         http = {"dashboard": False, "dashboard_address": f"{LOOPBACK}:0"}
         options = {"nthreads": 1, "memory_limit": memory or share, "host": LOOPBACK, **http}
         try:
-            cluster = SpecCluster(
-                scheduler={"cls": Scheduler, "options": {"host": LOOPBACK, "port": 0, **http}},
-                workers={number: {"cls": Nanny, "options": options} for number in range(count)},
-                silence_logs=False,
-            )
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of this process's nannies, as of the workers
+                cluster = SpecCluster(
+                    scheduler={"cls": Scheduler, "options": {"host": LOOPBACK, "port": 0, **http}},
+                    workers={number: {"cls": Nanny, "options": options} for number in range(count)},
+                    silence_logs=False,
+                )
         except RuntimeError as error:
             remedy = 'a script that asks for workers does so under `if __name__ == "__main__":`'
             raise InputError([Fault("workers", "", f"cannot be started: {error}", remedy)]) from None
