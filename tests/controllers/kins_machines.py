@@ -129,7 +129,11 @@ def _exact_table(curve: TableCurve, at: Any) -> Any:
 def _legendre_sum(curve: LegendreCurve, at: Any) -> Any:
     low, high = DIGITS.mpf(curve.basis.low), DIGITS.mpf(curve.basis.high)
     scaled = (2 * DIGITS.mpf(at) - low - high) / (high - low)
-    return DIGITS.fsum(c * mpmath.legendre(k, scaled) for k, c in enumerate(map(DIGITS.mpf, curve.coefficients), 1))
+    each, degree = list(map(DIGITS.mpf, curve.coefficients)), curve.basis.degree
+    polynomials = DIGITS.fsum(c * mpmath.legendre(k, scaled) for k, c in enumerate(each[:degree], 1))
+    angle, waves = DIGITS.radians(at), each[degree:]
+    pairs = enumerate(zip(waves[::2], waves[1::2], strict=True), 1)
+    return polynomials + DIGITS.fsum(c * DIGITS.cos(k * angle) + s * DIGITS.sin(k * angle) for k, (c, s) in pairs)
 
 
 def length(vector: Any) -> float:

@@ -6,6 +6,7 @@ told from straightness, stays as it was given.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -216,6 +217,7 @@ def _expected(model: MachineModel, values: ErrorValues, observed: Observations) 
 
 
 def _sum(given: Curve, change: Curve) -> Curve:
+    """A polynomial that is not zero at home and harmonics have no form in common: they make a table of every degree."""
     if isinstance(given, TableCurve):
         values = np.array(given.values) + change(np.array(given.positions))
         return TableCurve(given.positions, tuple(values.tolist()))
@@ -224,6 +226,10 @@ def _sum(given: Curve, change: Curve) -> Curve:
     for one, other in ((given, change), (change, given)):
         if isinstance(one, LegendreCurve) and float(np.abs(other(np.array([one.basis.home])))[0]) == 0.0:
             return _legendre_sum(one, other)
+    for one in (given, change):
+        if isinstance(one, LegendreCurve) and one.basis.harmonics:
+            every = np.linspace(one.basis.low, one.basis.high, 1 + round(one.basis.high - one.basis.low))
+            return TableCurve(tuple(every.tolist()), tuple((given(every) + change(every)).tolist()))
     given, change = (polynomial_of(one) if isinstance(one, LegendreCurve) else one for one in (given, change))
     total: dict[int, float] = {}
     for curve in (given, change):
@@ -240,14 +246,25 @@ def _sum(given: Curve, change: Curve) -> Curve:
 
 def _legendre_sum(curve: LegendreCurve, other: PolynomialCurve | LegendreCurve) -> LegendreCurve:
     """On the basis of the first, of an order that holds both; u: of the first."""
-    order = other.basis.degree if isinstance(other, LegendreCurve) else max(other.powers, default=0)
-    basis = replace(curve.basis, degree=max(curve.basis.degree, order))
+    own, waves = _parted(curve)
+    others, other_waves = (other, ()) if isinstance(other, PolynomialCurve) else _parted(other)
+    order = others.basis.degree if isinstance(others, LegendreCurve) else max(others.powers, default=0)
+    basis = replace(own.basis, degree=max(own.basis.degree, order))
     # two polynomials of this order that agree at the nodes of Chebyshev are the same
     nodes = 0.5 * (basis.low + basis.high) + 0.5 * (basis.high - basis.low) * chebyshev.chebpts1(basis.degree + 1)
-    coefficients = np.linalg.lstsq(basis(nodes).T, curve(nodes) + other(nodes), rcond=None)[0]
-    added = basis.degree - curve.basis.degree
-    u = None if curve.u is None else (*curve.u, *([np.nan] * added))
-    return LegendreCurve(basis=basis, coefficients=tuple(coefficients.tolist()), u=u)
+    coefficients = np.linalg.lstsq(basis(nodes).T, own(nodes) + others(nodes), rcond=None)[0].tolist()
+    total = [sum(both) for both in zip_longest(waves, other_waves, fillvalue=0.0)]
+    u = None
+    if curve.u is not None:
+        degree, open_ends = own.basis.degree, (basis.degree - own.basis.degree, len(total) - len(waves))
+        u = (*curve.u[:degree], *([np.nan] * open_ends[0]), *curve.u[degree:], *([np.nan] * open_ends[1]))
+    return LegendreCurve(basis=replace(basis, harmonics=len(total) // 2), coefficients=(*coefficients, *total), u=u)
+
+
+def _parted(curve: LegendreCurve) -> tuple[LegendreCurve, tuple[float, ...]]:
+    """The sum of its polynomials, and the coefficients of its harmonics."""
+    basis, each = curve.basis.polynomials, curve.coefficients
+    return LegendreCurve(basis=basis, coefficients=each[: basis.degree]), each[basis.degree :]
 
 
 def _open(left: Undetermined) -> Undetermined:

@@ -75,7 +75,9 @@ class _Setting:
     def started(self, effects: EffectUnknowns) -> tuple[State, Sizes]:
         """Nothing estimated yet."""
         degree = self.options.degree or DEGREE
-        layout = layout_of(self.model, self.observed, self.given, effects, degree, self.degrees)
+        layout = layout_of(
+            self.model, self.observed, self.given, effects, degree, self.degrees, turns=self.options.prior
+        )
         layout = giving_way(layout, self.runs)
         state = started(layout, self.runs, self.given, self.options.noise)
         return state, Sizes(layout, state.own_kinds, flat=not self.options.prior, ideal=self.options.ideal)

@@ -142,7 +142,7 @@ def _of_machine(layout: Layout, sensitivity: FloatArray, positions: FloatArray, 
         if (axis, basis) not in cache:
             cache[axis, basis] = basis.clamped(positions[axis])
         scaled = sensitivity[model.components.index(name)] * layout.sizes[first]
-        np.multiply(scaled, cache[axis, basis], out=into.T[first : first + basis.degree])
+        np.multiply(scaled, cache[axis, basis], out=into.T[first : first + basis.count])
     start = len(model.components)
     rows = [start + model.location_errors.index(name) for name in layout.locations]
     into[:, offsets[-1] : layout.of_machine] = sensitivity[rows].T * layout.sizes[offsets[-1] : layout.of_machine]

@@ -41,7 +41,7 @@ def judged_component(found: Estimate, component: ErrorName) -> Judged:
     place = layout.components.index(component)
     basis = layout.bases[place]
     first = int(layout.offsets[place])
-    rows = slice(first, first + basis.degree)
+    rows = slice(first, first + basis.count)
     change = np.zeros((SAMPLES, layout.count))
     positions = np.linspace(basis.low, basis.high, SAMPLES)
     change[:, rows] = basis(positions).T

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.curve_prior import DEGREE, harmonics_of
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
@@ -68,7 +68,7 @@ class Layout:
     @property
     def offsets(self) -> IntArray:
         """(n_components + 1,): the first unknown of each component, then of the location errors."""
-        return np.concatenate([[0], np.cumsum([basis.degree for basis in self.bases])]).astype(np.int64)
+        return np.concatenate([[0], np.cumsum([basis.count for basis in self.bases])]).astype(np.int64)
 
     def values(self, unknowns: FloatArray, given: ErrorValues) -> ErrorValues:
         """Error values from unknowns (n,), mm or rad, and what is given."""
@@ -109,10 +109,13 @@ def layout_of(
     effects: EffectUnknowns | None = None,
     degree: int = DEGREE,
     other_degrees: Mapping[ErrorName, int] | None = None,
+    *,
+    turns: bool = True,
 ) -> Layout:
     """Every error that is not given, whether a reading holds it or not: what none holds keeps its prior.
 
-    degree: of the curves, but for those of other_degrees.
+    degree: of the curves, but for those of other_degrees; turns: whether curves of an axis that turns round have
+    harmonics. Beside polynomials with no prior they would leave open how much is of which.
     """
     effects = effects or EffectUnknowns()
     components = tuple(name for name in model.components if name not in given.motion_errors)
@@ -121,10 +124,14 @@ def layout_of(
     time = None if observed.context is None else observed.context.time
     shared = shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
     others = other_degrees or {}
-    bases = tuple(travel_basis(model.travel[name.axis], others.get(name, degree)) for name in components)
+    travel = model.travel
+    harmonics = {axis: harmonics_of(axis, travel[axis]) if turns else 0 for axis in model.axes}
+    bases = tuple(
+        travel_basis(travel[name.axis], others.get(name, degree), harmonics[name.axis]) for name in components
+    )
     prior, machine = model.prior, model.machine
     sizes = [
-        *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),
+        *np.repeat([prior.of_component(name) for name in components], [basis.count for basis in bases]).tolist(),
         *(prior.of_location(name, machine.parameter_unit(name)) for name in locations),
         *(one.size for one in shared),
         *effects.scale.tolist(),

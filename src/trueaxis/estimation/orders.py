@@ -29,7 +29,6 @@ def told_to_their_end(layout: Layout, spread: FloatArray, scale: FloatArray) -> 
     the unknowns; scale: (n,), their prior standard deviations.
     """
     share = (spread**2).sum(axis=1) / scale**2
-    each = zip(layout.components, layout.bases, layout.offsets[1:].tolist(), strict=True)
-    return tuple(
-        name for name, basis, end in each if float(share[end - min(LAST, basis.degree) : end].min()) < 1.0 - TOLD
-    )
+    each = zip(layout.components, layout.bases, layout.offsets[:-1].tolist(), strict=True)
+    ends = ((name, basis.degree, first + basis.degree) for name, basis, first in each)
+    return tuple(name for name, degree, end in ends if float(share[end - min(LAST, degree) : end].min()) < 1.0 - TOLD)

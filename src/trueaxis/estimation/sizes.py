@@ -1,7 +1,7 @@
 """The sizes of errors and instrument unknowns, about what was expected of them.
 
-Every class of unknowns has a size, every component one of its own about that of its class, and the curves have a shape.
-The logarithms have normal priors.
+Every class of unknowns has a size, every component one of its own about that of its class, every axis that turns round
+one of its harmonics about that of its components, and the curves have a shape. The logarithms have normal priors.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,10 @@ FLAT = 1e4  # times the sizes of [prior]: with no prior to speak of, no error of
 # By which the sizes of components of one class differ. One size for all of a class costs 28 and 13 % of the error of
 # predictions on worlds 441 and 442.
 COMPONENT_FACTOR = 1.6
-COMPONENT = "of "  # before the name of a component: the name of its own size
+# By which the harmonics of an axis may be more or less than half of its errors: nearly all of an axis that repeats with
+# the turn, next to nothing of one that is driven by a gear.
+TURNS_FACTOR = 3.0
+COMPONENT, TURNS = "of ", "of turns of "  # before a component, an axis: the name of its own size
 # Of a standard normal number: how far the size of a component and the shape of curves may be from expected before a run
 # that alone sees them counts as wrong. On 9009, a world as it should be, a probe that alone sees two curves of an axis
 # was 8.9 times too far by the sizes and the shape that the others tell, 2.4 times by these; a set of twelve circles of
@@ -45,22 +48,33 @@ class Sizes:
         classes = list(dict.fromkeys(layout.kinds))
         own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
         self.of_errors = tuple(kind for kind in classes if kind not in CLASSES and kind != EFFECT)
-        self.names = (*classes, *(f"{COMPONENT}{name}" for name in layout.components), *own, *SHAPE)
-        self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
-        of_machine = [CLASS_FACTOR, COMPONENT_FACTOR, WAVES_FACTOR, FALLING_FACTOR]
-        of_class, of_component, *of_shape = [FIXED] * 4 if flat else of_machine
+        bases = list(zip(layout.components, layout.bases, strict=True))
+        turning = list(dict.fromkeys(name.axis for name, basis in bases if basis.harmonics))
+        of_components = [f"{COMPONENT}{name}" for name in layout.components]
+        self.names = (*classes, *of_components, *(f"{TURNS}{axis}" for axis in turning), *own, *SHAPE)
+        self._own_at = {kind: self.names.index(kind) for kind in own}
+        of_machine = [CLASS_FACTOR, COMPONENT_FACTOR, TURNS_FACTOR, WAVES_FACTOR, FALLING_FACTOR]
+        of_class, of_component, of_turns, *of_shape = [FIXED] * 5 if flat else of_machine
         factors = [
             *(self._factor(kind, of_class) for kind in classes),
-            *([of_component] * len(layout.components)),
+            *([of_component] * len(bases)),
+            *([of_turns] * len(turning)),
             *(self._factor(kind, FIXED) for kind in own),
             *of_shape,
         ]
         self.spread = np.log(factors)
-        degrees = [basis.degree for basis in layout.bases]
-        one_each = layout.count - sum(degrees)
+        counts = [basis.count for basis in layout.bases]
+        one_each = layout.count - sum(counts)
         members = [classes.index(kind) for kind in layout.kinds]
-        self._class: IntArray = np.repeat(members, [*degrees, *([1] * one_each)]).astype(np.int64)
-        self._component: IntArray = np.repeat(np.arange(len(degrees)) + len(classes), degrees).astype(np.int64)
+        self._class: IntArray = np.repeat(members, [*counts, *([1] * one_each)]).astype(np.int64)
+        self._component: IntArray = np.repeat(np.arange(len(counts)) + len(classes), counts).astype(np.int64)
+        waves = [  # which unknowns are harmonics, and the size of those
+            (first + np.arange(basis.degree, basis.count), self.names.index(f"{TURNS}{name.axis}"))
+            for (name, basis), first in zip(bases, layout.offsets[:-1].tolist(), strict=True)
+            if basis.harmonics
+        ]
+        self._waves: IntArray = np.concatenate([np.zeros(0), *(at for at, _ in waves)]).astype(np.int64)
+        self._turns: IntArray = np.repeat([size for _, size in waves], [at.size for at, _ in waves]).astype(np.int64)
 
     def scale(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(n,): logarithms of the prior sizes of the scaled unknowns, and (2, n) derivatives by the shape."""
@@ -68,6 +82,7 @@ class Sizes:
         log = value[self._class]
         curves = self._component.size
         log[:curves] += value[self._component]
+        log[self._waves] += value[self._turns]
         slope = np.zeros((len(SHAPE), log.size))
         bases = self.layout.bases
         weights = {basis: CurvePrior(basis).log_weights(value[-len(SHAPE) :]) for basis in dict.fromkeys(bases)}
@@ -81,7 +96,7 @@ class Sizes:
         return log, slope
 
     def factors(self, x: FloatArray) -> dict[str, float]:
-        """Estimated over expected size, by class, by component (`of EXX`) and of the shape of curves."""
+        """Estimated over expected size, by class, by component (`of EXX`), axis (`of turns of C`) and of the shape."""
         return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
 
     def taken(self, others: "Sizes", x: FloatArray) -> FloatArray:
@@ -121,6 +136,7 @@ class Sizes:
         rows = np.arange(unit.shape[0])
         member[rows, self._class] += 1.0
         member[rows[: self._component.size], self._component] += 1.0
+        member[self._waves, self._turns] += 1.0
         member[:, -len(SHAPE) :] = slope.T
         found = 2.0 * member.T @ told @ member
         for kind, value in posterior.own_told:
@@ -132,6 +148,7 @@ class Sizes:
         found = np.zeros(self.spread.size)
         np.add.at(found, self._class, expected)
         np.add.at(found, self._component, expected[: self._component.size])
+        np.add.at(found, self._turns, expected[self._waves])
         for kind, value in own:
             found[self._own_at[kind]] += value
         found[-len(SHAPE) :] = slope @ expected

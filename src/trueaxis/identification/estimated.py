@@ -189,7 +189,7 @@ def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dic
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
         assert isinstance(curve, LegendreCurve)
-        u, u_readings, u_prior = (tuple(part[first : first + curve.basis.degree].tolist()) for part in parts)
+        u, u_readings, u_prior = (tuple(part[first : first + curve.basis.count].tolist()) for part in parts)
         curves[name] = replace(curve, u=u, u_readings=u_readings, u_prior=u_prior, measured=measured.get(name))
     return curves
 

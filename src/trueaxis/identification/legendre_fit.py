@@ -95,12 +95,14 @@ def _whitened(root: FloatArray, covariance: Covariance, machine: Machine) -> Flo
 def legendre_samples(curve: LegendreCurve, white: FloatArray | None, order: int) -> Samples:
     """Values at as many positions as there are coefficients, evenly over the travel, and their whitening.
 
-    white: (n, degree), columns of a whitening of all values, None where no covariance is known. What polynomials of the
+    One more where there are harmonics: evenly over whole turns, every turn would be sampled at the same angles.
+
+    white: (n, count), columns of a whitening of all values, None where no covariance is known. What polynomials of the
     `order` cannot follow counts as an uncertainty of each value: a curve is no polynomial, and where it is hardly known
     it would otherwise take up what is left elsewhere.
     """
     basis = curve.basis
-    grid = np.linspace(basis.low, basis.high, basis.degree + 1)
+    grid = np.linspace(basis.low, basis.high, basis.count + 1 + bool(basis.harmonics))
     positions = np.delete(grid, int(np.argmin(np.abs(grid - basis.home))))
     values, whiten = curve(positions), None
     if white is not None:

@@ -1,7 +1,9 @@
-"""Functions that error curves are made of, evaluated on arrays: Legendre polynomials, hats of a table, powers."""
+"""Functions that error curves are made of, evaluated on arrays: Legendre polynomials and harmonics of a turn, hats of a
+table, powers.
+"""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -18,7 +20,8 @@ UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low o
 
 @dataclass(frozen=True)
 class LegendreBasis:
-    """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree.
+    """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree; then, where a
+    rotary axis turns round, the harmonics of a turn, cos and sin of 1 .. `harmonics` times the angle, less theirs.
 
     The first is the position from home divided by half the range. low, high, home: mm or deg.
     """
@@ -27,20 +30,31 @@ class LegendreBasis:
     high: float
     degree: int
     home: float = 0.0
+    harmonics: int = 0
 
     def __call__(self, positions: FloatArray) -> FloatArray:
-        """(degree, n): the basis functions at positions (n,)."""
-        values = legendre.legvander(self._scaled(positions), self.degree)
-        return np.ascontiguousarray((values - _at_home(self))[:, 1:].T)
+        """(count, n): the basis functions at positions (n,)."""
+        values = _functions(self._scaled(positions), positions, self.degree, self.harmonics)
+        return np.ascontiguousarray((values - _at_home(self)).T)
 
     def clamped(self, positions: FloatArray) -> FloatArray:
-        """(degree, n): the same, with the values at the ends beyond the range."""
+        """(count, n): the same, with the values at the ends beyond the range."""
         return np.asarray(clamped_values((self,), positions[np.newaxis])[0])
 
     @property
     def count(self) -> int:
         """How many functions there are."""
-        return self.degree
+        return self.degree + 2 * self.harmonics
+
+    @property
+    def order(self) -> tuple[int, int]:
+        """Degree and harmonics: bases that have them alike have functions alike, each over its own range."""
+        return self.degree, self.harmonics
+
+    @property
+    def polynomials(self) -> "LegendreBasis":
+        """The same without harmonics."""
+        return replace(self, harmonics=0)
 
     @property
     def powers(self) -> FloatArray:
@@ -49,8 +63,8 @@ class LegendreBasis:
 
     @property
     def at_home(self) -> FloatArray:
-        """(degree,): the Legendre polynomials at home, which the basis functions are less of."""
-        return np.asarray(_at_home(self)[0, 1:])
+        """(count,): the Legendre polynomials and harmonics at home, which the basis functions are less of."""
+        return np.asarray(_at_home(self)[0])
 
     @property
     def per_position(self) -> float:
@@ -66,18 +80,29 @@ class LegendreBasis:
 
 
 def clamped_values(bases: tuple[LegendreBasis, ...], positions: FloatArray) -> FloatArray:
-    """(k, degree, n): each of k bases of one degree at positions of its own, (k, n); see `LegendreBasis.clamped`.
+    """(k, count, n): each of k bases of one order at positions of its own, (k, n); see `LegendreBasis.clamped`.
 
     At once, since on the few positions of a run a call costs more than its arithmetic.
     """
     low, high, centre, half, at_home = _stacked(bases)
-    values = legendre.legvander((np.clip(positions, low, high) - centre) / half, bases[0].degree)
-    return np.ascontiguousarray((values - at_home)[:, :, 1:].transpose(0, 2, 1))
+    inside = np.clip(positions, low, high)
+    values = _functions((inside - centre) / half, inside, *bases[0].order)
+    return np.ascontiguousarray((values - at_home).transpose(0, 2, 1))
+
+
+def _functions(scaled: FloatArray, positions: FloatArray, degree: int, harmonics: int) -> FloatArray:
+    """(..., degree + 2 harmonics): P1 .. Pn of scaled positions (...), cos a, sin a, cos 2a .. of positions in deg."""
+    polynomials = legendre.legvander(scaled, degree)[..., 1:]
+    if not harmonics:
+        return np.asarray(polynomials)
+    angles = np.deg2rad(positions)[..., np.newaxis] * np.arange(1.0, harmonics + 1.0)
+    waves = np.stack([np.cos(angles), np.sin(angles)], axis=-1).reshape(*positions.shape, 2 * harmonics)
+    return np.concatenate([polynomials, waves], axis=-1)
 
 
 @lru_cache(maxsize=64)
 def _stacked(bases: tuple[LegendreBasis, ...]) -> tuple[FloatArray, ...]:
-    """low, high, centre and half of the range, (k, 1), and the values at home, (k, 1, degree + 1)."""
+    """low, high, centre and half of the range, (k, 1), and the values at home, (k, 1, count)."""
     of_range = [(one.low, one.high, *one._centre_and_half()) for one in bases]
     return (*np.array(of_range).T[:, :, np.newaxis], np.array([_at_home(one) for one in bases]))
 
@@ -134,15 +159,17 @@ def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
     return LegendreBasis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
 
 
-def travel_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
+def travel_basis(travel: tuple[float, float], degree: int, harmonics: int = 0) -> LegendreBasis:
     """Over the travel, zero at home: at 0, or at the end of the travel next to it."""
     low, high = travel
-    return LegendreBasis(low, high, degree, home=min(max(0.0, low), high))
+    return LegendreBasis(low, high, degree, home=min(max(0.0, low), high), harmonics=harmonics)
 
 
 @lru_cache(maxsize=64)
 def _at_home(basis: LegendreBasis) -> FloatArray:
-    return np.asarray(legendre.legvander(basis._scaled(np.array([basis.home])), basis.degree))
+    """(1, count)"""
+    home = np.array([basis.home])
+    return _functions(basis._scaled(home), home, *basis.order)
 
 
 @lru_cache(maxsize=64)

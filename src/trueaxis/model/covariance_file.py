@@ -197,7 +197,9 @@ def _is_basis(basis: Basis) -> bool:
         return (
             -LARGEST_END < basis.low <= basis.home <= basis.high < LARGEST_END
             and basis.low < basis.high
-            and 0 <= basis.degree <= MOST_TERMS
+            and basis.degree >= 0
+            and basis.harmonics >= 0
+            and basis.count <= MOST_TERMS
         )
     positions = np.array(basis.positions)
     return bool((np.abs(positions) < LARGEST_END).all() and (np.diff(positions) > 0.0).all() and positions.size)
@@ -209,9 +211,8 @@ def _names(names: Sequence[Any]) -> tuple[str, ...]:
 
 def _basis_object(basis: Basis) -> dict[str, Any]:
     if isinstance(basis, LegendreBasis):
-        return {
-            "basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree, "home": basis.home
-        }  # fmt: skip
+        found = {"basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree, "home": basis.home}
+        return found | ({"basis": "turn", "harmonics": basis.harmonics} if basis.harmonics else {})
     if isinstance(basis, HatBasis):
         return {"basis": "table", "positions": list(basis.positions)}
     return {"basis": "polynomial", "powers": list(basis.powers)}
@@ -219,9 +220,10 @@ def _basis_object(basis: Basis) -> dict[str, Any]:
 
 def _basis(tree: Mapping[str, Any]) -> Basis:
     """Raises KeyError, TypeError or ValueError where the object is damaged."""
-    if tree["basis"] == "legendre":
+    if tree["basis"] in ("legendre", "turn"):
         low, high = (float(end) for end in tree["range"])
-        return LegendreBasis(low, high, int(tree["degree"]), float(tree.get("home", 0.0)))
+        harmonics = int(tree["harmonics"]) if tree["basis"] == "turn" else 0
+        return LegendreBasis(low, high, int(tree["degree"]), float(tree.get("home", 0.0)), harmonics)
     if tree["basis"] == "table":
         return HatBasis(tuple(float(position) for position in tree["positions"]))
     if tree["basis"] == "polynomial":

@@ -21,6 +21,7 @@ _U = ("u", "u_readings", "u_prior")
 _KEYS = {
     "polynomial": ("powers", "coefficients"),
     "legendre": ("range", "coefficients"),
+    "turn": ("range", "harmonics", "coefficients"),
     "table": ("positions", "values"),
 }
 
@@ -34,7 +35,7 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
     basis = value.get("basis")
     if not isinstance(basis, str) or basis not in _KEYS:
         problem = "is missing" if "basis" not in value else f"{shown(basis)} is not a basis"
-        faults.add(key_path((*path, "basis")), problem, 'give "polynomial", "legendre" or "table"')
+        faults.add(key_path((*path, "basis")), problem, 'give "polynomial", "legendre", "turn" or "table"')
         return None
     known = ("basis", *_KEYS[basis], *(("u",) if basis == "table" else (*_U, "measured")))
     for key in value:
@@ -46,7 +47,7 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
     if missing:
         return None
     readers: dict[str, Callable[[dict[str, Any], JsonPath, Faults], Curve | None]] = {
-        "polynomial": _polynomial, "legendre": _legendre, "table": _table,
+        "polynomial": _polynomial, "legendre": _legendre, "turn": _legendre, "table": _table,
     }  # fmt: skip
     curve = readers[basis](value, path, faults)
     return curve if len(faults.found) == before else None
@@ -76,8 +77,9 @@ def curve_object(curve: Curve) -> dict[str, Any]:
         return found | _uncertainty_object(curve, order) | _measured(curve)
     if isinstance(curve, LegendreCurve):
         found = {
-            "basis": "legendre",
+            "basis": "turn" if curve.basis.harmonics else "legendre",
             "range": [float(curve.basis.low), float(curve.basis.high)],
+            **({"harmonics": curve.basis.harmonics} if curve.basis.harmonics else {}),
             "coefficients": [float(one) for one in curve.coefficients],
         }
         return found | _uncertainty_object(curve, range(len(curve.coefficients))) | _measured(curve)
@@ -123,6 +125,11 @@ def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> Legendre
     u, u_readings, u_prior = (_uncertainties(value, key, path, faults) for key in _U)
     measured = _range(value, path, faults)
     same = _same_length(value, ("coefficients", *_U), path, faults)
+    harmonics = _harmonics(value["harmonics"], (*path, "harmonics"), faults) if "harmonics" in value else 0
+    if len(coefficients) < 2 * harmonics:
+        problem = f"are {len(coefficients)}, cosine and sine of {harmonics} harmonics among them"
+        faults.add(key_path((*path, "coefficients")), problem, f"at least {2 * harmonics}")
+        return None
     if len(coefficients) > MOST_TERMS:
         faults.add(key_path((*path, "coefficients")), f"are {len(coefficients)}", f"at most {MOST_TERMS}")
     if len(ends) != 2 or not ends[1] - ends[0] >= LEAST_SPACING:
@@ -131,13 +138,22 @@ def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> Legendre
     if not same:
         return None
     return LegendreCurve(
-        basis=travel_basis(ends, len(coefficients)),
+        basis=travel_basis(ends, len(coefficients) - 2 * harmonics, harmonics),
         coefficients=coefficients,
         u=u,
         measured=measured,
         u_readings=u_readings,
         u_prior=u_prior,
     )
+
+
+def _harmonics(value: Any, path: JsonPath, faults: Faults) -> int:
+    """How many; 0 where that is no number of harmonics."""
+    found = number(value, path, faults)
+    if math.isnan(found) or (found.is_integer() and 1 <= found <= MOST_TERMS // 2):
+        return 0 if math.isnan(found) else int(found)
+    faults.add(key_path(path), f"{found!r} is no number of harmonics", f"a whole number from 1 to {MOST_TERMS // 2}")
+    return 0
 
 
 def _range(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, float] | None:

@@ -64,7 +64,8 @@ class TableCurve:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LegendreCurve:
-    """Sum of Legendre polynomials over the travel of an axis, zero at its home; beyond the travel the end values hold.
+    """Sum of Legendre polynomials over the travel of an axis, and of harmonics where it turns round, zero at its home;
+    beyond the travel the end values hold.
 
     basis: of the axis position, mm or deg; coefficients: of its functions, mm or rad; u, u_readings, u_prior, measured:
     as of a polynomial.
@@ -98,7 +99,7 @@ def basis_of_curve(curve: Curve) -> HatBasis | PowerBasis | LegendreBasis:
 
 
 def polynomial_of(curve: LegendreCurve) -> PolynomialCurve:
-    """The same within the travel in plain powers; beyond it, the polynomial goes on."""
+    """The same within the travel in plain powers; beyond it, the polynomial goes on. Of a curve without harmonics."""
     at_home = float((np.array(curve.coefficients) @ curve.basis(np.zeros(1)))[0])
     powers = np.array(curve.coefficients) @ curve.basis.powers
     return PolynomialCurve(
@@ -135,8 +136,8 @@ def evaluate_components(
             found *= positions[axis]
             found += coefficients
         values[rows] = found
-    for degree in {basis.degree for _, basis in legendre}:
-        alike = {key: rows for key, rows in legendre.items() if key[1].degree == degree}
+    for order in {basis.order for _, basis in legendre}:
+        alike = {key: rows for key, rows in legendre.items() if key[1].order == order}
         each = clamped_values(tuple(basis for _, basis in alike), positions[[axis for axis, _ in alike]])
         for rows, found in zip(alike.values(), each, strict=True):
             values[rows] = _stacked(tuple(curves[components[row]] for row in rows)) @ found
@@ -145,7 +146,7 @@ def evaluate_components(
 
 @lru_cache(maxsize=64)
 def _stacked(curves: tuple[LegendreCurve, ...]) -> FloatArray:
-    """(n_curves, degree): their coefficients."""
+    """(n_curves, count): their coefficients."""
     return np.array([one.coefficients for one in curves])
 
 

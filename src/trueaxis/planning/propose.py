@@ -184,7 +184,7 @@ def _target(layout: Layout, wish: Wish) -> FloatArray:
         place = layout.components.index(wish.wanted)
         basis, first = layout.bases[place], int(layout.offsets[place])
         found = np.zeros((SAMPLES, layout.count))
-        found[:, first : first + basis.degree] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T / np.sqrt(SAMPLES)
+        found[:, first : first + basis.count] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T / np.sqrt(SAMPLES)
     return np.asarray(found @ levelling(layout))
 
 

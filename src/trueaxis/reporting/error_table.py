@@ -47,7 +47,7 @@ def _largest(
     if isinstance(curve, TableCurve):
         basis = "table"
     elif isinstance(curve, LegendreCurve):
-        basis, at = "legendre", (curve.basis.low, curve.basis.high)
+        basis, at = "turn" if curve.basis.harmonics else "legendre", (curve.basis.low, curve.basis.high)
     elif machine is not None:
         at = machine.travel[ErrorName(name).axis]
     if at is None:

@@ -75,11 +75,14 @@ def _curve() -> Schema:
     polynomial = {"basis": {"const": "polynomial"}, "powers": powers, "coefficients": numbers()} | u | measured
     terms = numbers() | {"maxItems": MOST_TERMS}
     legendre = {"basis": {"const": "legendre"}, "range": numbers(2), "coefficients": terms} | u | measured
+    harmonics = {"type": "number", "minimum": 1, "maximum": MOST_TERMS // 2, "multipleOf": 1}
+    turn = legendre | {"basis": {"const": "turn"}, "harmonics": harmonics}
     values = {"basis": {"const": "table"}, "positions": numbers() | {"minItems": 1}, "values": numbers()}
     return {
         "oneOf": [
             table(polynomial, ["basis", "powers", "coefficients"]),
             table(legendre, ["basis", "range", "coefficients"]),
+            table(turn, ["basis", "range", "harmonics", "coefficients"]),
             table(values | {"u": array(_U)}, ["basis", "positions", "values"]),
         ]
     }

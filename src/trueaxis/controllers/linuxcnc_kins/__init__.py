@@ -136,15 +136,17 @@ def _curves(model: MachineModel) -> Iterator[str]:
         axis = model.axes.index(component.axis)
         curve = model.errors.motion_errors.get(component)
         if curve is None:
-            rows.append(f"    {{ NO_CURVE, {axis}, 0, 0, 0.0, 0.0, 0.0 }}, /* {component} */")
+            rows.append(f"    {{ NO_CURVE, {axis}, 0, 0, 0.0, 0.0, 0.0, 0 }}, /* {component} */")
             continue
         form, count, numbers, ends = _numbers(curve)
         yield from _array(f"{component}_NUMBERS", numbers)
         listed = ", ".join(map(repr, ends))
-        rows.append(f"    {{ {form}, {axis}, {count}, {component}_NUMBERS, {listed} }}, /* {component} */")
+        harmonics = curve.basis.harmonics if isinstance(curve, LegendreCurve) else 0
+        row = f"{form}, {axis}, {count}, {component}_NUMBERS, {listed}, {harmonics}"
+        rows.append(f"    {{ {row} }}, /* {component} */")
     yield "static const curve CURVES[COMPONENTS + 1] = {"  # of a machine without components, too
     yield from rows
-    yield "    { NO_CURVE, 0, 0, 0, 0.0, 0.0, 0.0 }"
+    yield "    { NO_CURVE, 0, 0, 0, 0.0, 0.0, 0.0, 0 }"
     yield "};"
 
 
@@ -159,7 +161,7 @@ def _numbers(curve: Curve) -> tuple[str, int, list[float], tuple[float, float, f
         case TableCurve():
             return "TABLE", len(curve.positions), [*curve.positions, *curve.values], (0.0, 0.0, 0.0)
         case LegendreCurve(basis=basis):
-            # the sum of P1 .. Pn themselves, of which the basis has taken the values at home
+            # the sum of the functions themselves, of which the basis has taken the values at home
             at_home = float(np.array(curve.coefficients) @ basis.at_home)
             return "LEGENDRE", basis.degree, list(curve.coefficients), (basis.low, basis.high, at_home)
 

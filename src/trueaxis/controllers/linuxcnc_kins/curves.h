@@ -9,10 +9,13 @@ typedef enum {
     NO_CURVE,
     POLYNOMIAL, /* numbers: coefficients of falling powers, the last is the constant; Horner's scheme */
     TABLE,      /* numbers: rising positions, then values; a straight line between, the end values beyond */
-    LEGENDRE    /* numbers: coefficients of P1, P2 ... of the range scaled to -1 .. 1, less the value at home */
+    LEGENDRE    /* numbers: coefficients of P1, P2 ... of the range scaled to -1 .. 1, then of the cosine and the sine of
+                 * 1, 2 ... times the angle where the axis turns round, less the value at home */
 } curve_form;
 
-/* count: of coefficients, or of positions; low, high: range of LEGENDRE, mm or deg; at_home: its value there */
+/* count: of coefficients, or of positions, of LEGENDRE those of P1, P2 ...; low, high: range of LEGENDRE, mm or deg;
+ * at_home: its value there; harmonics: of a turn
+ */
 typedef struct {
     curve_form form;
     int axis;
@@ -21,6 +24,7 @@ typedef struct {
     double low;
     double high;
     double at_home;
+    int harmonics;
 } curve;
 
 static double polynomial_at(const curve *of, double position)
@@ -70,6 +74,21 @@ static double legendre_at(const curve *of, double position)
         value += of->numbers[k - 1] * current;
         before = current;
         current = following;
+    }
+    if (of->harmonics == 0) {
+        return value;
+    }
+    const double angle = clamped * 0.017453292519943295; /* pi / 180 */
+    const double cosine = cos(angle);
+    const double sine = sin(angle);
+    const double *numbers = of->numbers + of->count;
+    double real = cosine;
+    double imaginary = sine;
+    for (int k = 0; k < of->harmonics; ++k) {
+        value += numbers[2 * k] * real + numbers[2 * k + 1] * imaginary;
+        const double turned = real * cosine - imaginary * sine;
+        imaginary = real * sine + imaginary * cosine;
+        real = turned;
     }
     return value;
 }

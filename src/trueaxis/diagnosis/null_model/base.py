@@ -182,7 +182,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     shared = [*layout.shared, *balls]
     chance = np.zeros(layout.of_machine + len(shared), dtype=bool)
     chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in shared]
-    counts = [basis.degree for basis in layout.bases]
+    counts = [basis.count for basis in layout.bases]
     weights = [_weights(basis, name in rough) for name, basis in zip(layout.components, layout.bases, strict=True)]
     expected = np.concatenate([*weights, np.ones(int((~chance).sum()) - sum(counts))])
     columns = everything.take(~chance)
@@ -206,7 +206,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
 
 
 def _weights(basis: LegendreBasis, rough: bool) -> FloatArray:
-    """(degree,): standard deviations expected of a curve. One that readings show to be rough has not the shape that
+    """(count,): standard deviations expected of a curve. One that readings show to be rough has not the shape that
     [prior] expects, and may be as large at every degree.
     """
     found = np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0])

@@ -81,7 +81,7 @@ def higher_of(model: MachineModel, null: Null) -> Higher:
     names = [name for name in null.base.bases if name not in null.base.rough]
     base = base_of(model, null.rows, names)
     of_component = np.array(base.components)
-    higher = {name: np.flatnonzero(of_component == name)[DEGREE:] for name in names}
+    higher = {name: np.flatnonzero(of_component == name)[DEGREE : base.bases[name].degree] for name in names}
     return Higher(base=null.base, columns=base.machine, places=higher)
 
 
