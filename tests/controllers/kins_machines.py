@@ -43,7 +43,7 @@ def with_random_errors(model: MachineModel, seed: int) -> MachineModel:
     curves: dict[str, Curve] = {}
     for number, name in enumerate(model.components):
         size = 2e-5 if name.is_rotation else 2e-2
-        curves[name] = _curve(number % 4, model.travel[name.axis], size, draw)
+        curves[name] = _curve(number % 4, model.travel[name.axis], size, name.axis in "ABC", draw)
     curves.pop(model.components[0])  # one that is silent
     parameters = {name: float(draw.normal() * 100.0) for name in model.dimensions}
     for parameter in model.location_errors:
@@ -53,7 +53,7 @@ def with_random_errors(model: MachineModel, seed: int) -> MachineModel:
     return model.with_values(ErrorValues(machine=model.name, parameters=parameters, motion_errors=curves))
 
 
-def _curve(form: int, travel: tuple[float, float], size: float, draw: np.random.Generator) -> Curve:
+def _curve(form: int, travel: tuple[float, float], size: float, turns: bool, draw: np.random.Generator) -> Curve:
     low, high = travel
     longest = max(abs(low), abs(high))
     if form == 0:
@@ -64,7 +64,9 @@ def _curve(form: int, travel: tuple[float, float], size: float, draw: np.random.
         inside = np.sort(draw.uniform(low, high, 9))
         return TableCurve(tuple(inside.tolist()), tuple((size * draw.normal(size=9)).tolist()))
     if form == 2:
-        return LegendreCurve(basis=travel_basis(travel, 6), coefficients=tuple((size * draw.normal(size=6)).tolist()))
+        basis = travel_basis(travel, 6, harmonics=3 if turns else 0)
+        coefficients = size * draw.normal(size=basis.count)
+        return LegendreCurve(basis=basis, coefficients=tuple(coefficients.tolist()))
     powers = tuple(range(8))
     return PolynomialCurve(
         powers=powers, coefficients=tuple(float(size * draw.normal() / longest**power) for power in powers)

@@ -15,7 +15,7 @@ from tests.fuzz.expressions import expression
 from tests.instrument_files.writers import rtl
 from tests.machines import ROOT, machine_of
 from trueaxis.machine import Machine
-from trueaxis.model.bases import LegendreBasis
+from trueaxis.model.bases import travel_basis
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.covariance_file import dump_covariance
 
@@ -179,7 +179,7 @@ def _errors(machine: Machine, draw: Random) -> str:
 
 
 def _covariance(machine: Machine, draw: Random) -> bytes:
-    bases = tuple(LegendreBasis(*machine.travel[name[2]], 2) for name in machine.components)
+    bases = tuple(travel_basis(machine.travel[name[2]], 2) for name in machine.components)
     n = 2 * len(bases) + len(machine.location_errors)
     root = np.random.default_rng(draw.randrange(2**32)).normal(0, 1e-6, (n, n))
     opened = np.zeros((n, 1))

@@ -259,7 +259,7 @@ def small_archive() -> dict[str, Any]:
     covariance = Covariance(
         machine="dmu60p",
         components=(ErrorName("EXX"),),
-        bases=(LegendreBasis(0.0, 540.0, 2),),
+        bases=(LegendreBasis(low=0.0, high=540.0, degree=2),),
         locations=(),
         root=np.eye(2) * 1e-6,
         open=np.zeros((2, 1)),
@@ -300,9 +300,35 @@ def test_arrays_that_no_identification_writes_are_told(tmp_path: Path, change: s
         read_covariance(file, machine().machine)
 
 
+def test_every_basis_comes_back(tmp_path: Path) -> None:
+    bases = (
+        LegendreBasis(low=100.0, high=540.0, degree=2, home=100.0),
+        LegendreBasis(low=-360.0, high=360.0, degree=1, harmonics=2),
+        HatBasis((0.0, 10.0)),
+        PowerBasis((1, 3)),
+    )
+    covariance = Covariance(
+        machine="dmu60p",
+        components=tuple(map(ErrorName, ("EXX", "EYX", "EZX", "EAX"))),
+        bases=bases,
+        locations=(),
+        root=np.eye(11),
+        open=np.zeros((11, 0)),
+    )
+    file = tmp_path / "c.npz"
+    file.write_bytes(dump_covariance(covariance))
+    assert read_covariance(file, machine().machine).bases == bases
+
+
 @pytest.mark.parametrize(
     "basis",
-    [LegendreBasis(-1e300, 0.0, 2), LegendreBasis(0.0, np.inf, 2), HatBasis((0.0, np.nan)), PowerBasis((1, 500))],
+    [
+        LegendreBasis(low=-1e300, high=0.0, degree=2),
+        LegendreBasis(low=0.0, high=np.inf, degree=2),
+        LegendreBasis(low=0.0, high=360.0, degree=4, harmonics=-1),
+        HatBasis((0.0, np.nan)),
+        PowerBasis((1, 500)),
+    ],
 )
 def test_bases_that_no_identification_writes_are_told(tmp_path: Path, basis: Basis) -> None:
     covariance = Covariance(

@@ -150,6 +150,33 @@ def test_where_a_curve_is_sampled_makes_no_difference() -> None:
     np.testing.assert_allclose(solved, expected, rtol=1e-3)
 
 
+@pytest.mark.parametrize("travel", [(-360.0, 360.0), (0.0, 360.0), (-540.0, 540.0)])
+@pytest.mark.parametrize(("wave", "follows"), [(0.0, True), (2e-2, False)])
+def test_a_polynomial_follows_no_turn(
+    machine: Machine, travel: tuple[float, float], wave: float, follows: bool
+) -> None:
+    """A line and, three times a turn, a wave that is 1000 times its uncertainty: what is evenly sampled shows it."""
+    basis = travel_basis(travel, 6, harmonics=3)
+    coefficients = np.zeros(basis.count)
+    coefficients[0], coefficients[-2] = 1e-2, wave
+    curve = LegendreCurve(basis=basis, coefficients=tuple(coefficients.tolist()), measured=travel)
+    covariance = Covariance(
+        machine="dmu60p",
+        components=(ErrorName("EXX"),),
+        bases=(basis,),
+        locations=(),
+        root=2e-5 * np.random.default_rng(5).normal(size=(basis.count, 2 * basis.count)),
+        open=np.zeros((basis.count, 0)),
+    )
+    errors = ErrorValues(machine="dmu60p", motion_errors={"EXX": curve})
+    fits, _ = fit_legendre(errors, covariance, machine, max_order=5, alpha=0.05)
+    assert bool(fits["EXX"].after.powers) == follows
+    fitted, _ = with_polynomials(errors, covariance, machine, fits)
+    at = np.linspace(*travel, 50)
+    np.testing.assert_allclose(fitted.motion_errors["EXX"](at), curve(at), atol=1e-4)
+    assert isinstance(fitted.motion_errors["EXX"], PolynomialCurve if follows else LegendreCurve)
+
+
 def off(errors: Path) -> float:
     """Root mean square of a coordinate of the error of the predicted tool point, from home, over the volume, um."""
     model, true = (load_model(MACHINE, path, ROOT / "generated") for path in (errors, ERRORS))

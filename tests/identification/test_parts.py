@@ -30,7 +30,12 @@ from trueaxis.model.errors import ErrorValues
 
 
 @pytest.mark.parametrize(
-    "basis", [LegendreBasis(0.0, 700.0, 7), LegendreBasis(-270.0, 270.0, 5), LegendreBasis(-30.0, 120.0, 6)]
+    "basis",
+    [
+        LegendreBasis(low=0.0, high=700.0, degree=7),
+        LegendreBasis(low=-270.0, high=270.0, degree=5),
+        LegendreBasis(low=-30.0, high=120.0, degree=6),
+    ],
 )
 def test_basis_is_legendre_without_its_value_at_zero(basis: LegendreBasis) -> None:
     at = np.linspace(basis.low, basis.high, 13)

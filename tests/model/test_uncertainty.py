@@ -43,7 +43,7 @@ def model() -> MachineModel:
 
 def mixed_covariance(model: MachineModel) -> Covariance:
     """A component in each kind of basis, two location errors, a full covariance."""
-    bases = (LegendreBasis(0.0, 540.0, 3), HatBasis((0.0, 200.0, 500.0)), PowerBasis((1, 3)))
+    bases = (LegendreBasis(low=0.0, high=540.0, degree=3), HatBasis((0.0, 200.0, 500.0)), PowerBasis((1, 3)))
     scale = np.array([3e-3] * 3 + [5e-6] * 3 + [1e-8, 1e-14] + [4e-6, 7e-6])
     mixing = SOURCE.normal(size=(10, 10))
     return Covariance(

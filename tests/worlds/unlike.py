@@ -2,12 +2,15 @@
 
     python -m tests.worlds.unlike --out FILE --designs 7 --first 7001 --machines 4 --kinds usual large
     python -m tests.worlds.unlike --out FILE --dense --designs 4 --machines 3 --kinds usual kinked
+    python -m tests.worlds.unlike --out FILE --axes 5 --designs 8 --kinds usual turning
     python -m tests.worlds.unlike --out FILE --table
 
 usual: as they are drawn; large: the positioning error of one linear axis is 5 to 10 times as large as translational
 errors of the machine are; scale: the same, of a slope that is added; kinked: positioning errors of linear axes are
-what a table of a control leaves, straight lines between 15 to 50 positions. --dense: only designs of 31 targets or
-more, with a fifth of the noise. A line of JSON is a machine; what is in FILE already is not done again.
+what a table of a control leaves, straight lines between 15 to 50 positions; turning: half of the mean square of every
+error of a rotary axis that turns round repeats with the turn. --dense: only designs of 31 targets or more, with a fifth
+of the noise; --axes: of so many axes, of five only those with an axis that turns round. A line of JSON is a machine;
+what is in FILE already is not done again.
 """
 
 import argparse
@@ -22,7 +25,7 @@ import numpy as np
 from tests.worlds.curves import Curve, Span
 from tests.worlds.design import Design, draw_design
 from tests.worlds.estimates import TOOL, WITHIN, Outcome, World, deviations, outcome_of, rms_um, world
-from tests.worlds.machine import Array
+from tests.worlds.machine import Array, Machine
 from tests.worlds.truth import Truth, draw_machine, span_of
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE
@@ -35,6 +38,8 @@ Source = np.random.Generator
 
 LARGE = (5.0, 10.0)  # times as large as translational errors of the machine are
 KNOTS = (15, 51)  # of a table
+TIMES = 6  # of a turn, up to which errors repeat
+TURN = 360.0  # deg
 LEFT = 0.3  # of a size: what a table is off by at its positions, one standard deviation, beside a smooth curve
 DENSE, QUIET = 31, 0.2  # targets of a line; share of the noise of the design that is left
 ALONG = 60  # positions over a travel
@@ -83,7 +88,43 @@ def table(source: Source, curve: Curve, span: Span, size: float) -> Curve:
     return Curve(lambda at: np.interp(at, knots, values)[:, None], np.ones(1))
 
 
-KINDS: Mapping[str, Callable[[Truth, Source], Truth]] = {one.__name__: one for one in (usual, large, scale, kinked)}
+def turning(truth: Truth, source: Source) -> Truth:
+    """Errors of rotary axes that turn round are half what repeats with the turn, each up to six times, from order to
+    order less, by more or less.
+    """
+    curves = dict(truth.curves)
+    for name in repeating(truth):
+        span, size = span_of(truth.machine, name[2]), truth.sizes[name]
+        weights = np.repeat(np.arange(1.0, TIMES + 1) ** -source.uniform(0.0, 2.0), 2)
+        amplitudes = size * weights / np.linalg.norm(weights) * source.standard_normal(2 * TIMES)
+        half = replace(curves[name], coefficients=curves[name].coefficients * 0.5**0.5)
+        curves[name] = half.plus(waves(span, amplitudes * 0.5**0.5))
+    return replace(truth, curves=curves)
+
+
+def waves(span: Span, amplitudes: Array) -> Callable[[Array], Array]:
+    """Zero at home; amplitudes: (2 k,), of cosines and sines of 1 .. k times the angle."""
+    times = np.arange(1, amplitudes.size // 2 + 1)
+
+    def of_turn(at: Array) -> Array:
+        angles = np.deg2rad(np.clip(at, span.low, span.high))[..., None] * times
+        return np.asarray(np.cos(angles) @ amplitudes[::2] + np.sin(angles) @ amplitudes[1::2], float)
+
+    return lambda at: of_turn(at) - of_turn(np.array(span.home))
+
+
+def repeating(truth: Truth) -> list[str]:
+    """Errors of rotary axes that turn round."""
+    return [name for name in truth.curves if turns_round(truth.machine, name[2])]
+
+
+def turns_round(machine: Machine, axis: str) -> bool:
+    return axis not in machine.linear and float(np.ptp(machine.travel(axis))) >= TURN
+
+
+KINDS: Mapping[str, Callable[[Truth, Source], Truth]] = {
+    one.__name__: one for one in (usual, large, scale, kinked, turning)
+}
 
 
 def positioning(truth: Truth) -> list[str]:
@@ -114,7 +155,7 @@ def line_of(one: World, kind: str, number: int, options: EstimationOptions = USU
     usual_one = draw_machine(one.design.machine, seed, curves=("smooth", "prior")[number % 2])
     truth = KINDS[kind](usual_one, np.random.default_rng([seed, 31]))
     found = outcome_of(one, truth, seed, options=options)
-    unlike = [name for name in positioning(truth) if truth.curves[name] is not usual_one.curves[name]]
+    unlike = [name for name in truth.curves if truth.curves[name] is not usual_one.curves[name]]
     own = np.array([curve_figures(found, truth, name) for name in unlike or positioning(truth)])
     readings, bases = found.found.readings, found.found.layout.bases
     return {
@@ -148,7 +189,7 @@ def without_the_prior(one: World, truth: Truth, found: Estimate) -> float:
 
 
 def curve_figures(outcome: Outcome, truth: Truth, name: str) -> tuple[float, float, float]:
-    """Of a positioning error over its travel: root mean squares of what it is off and of its u, um; coverage."""
+    """Of an error over its travel: root mean squares of what it is off and of its u, um or urad; coverage."""
     found, span = outcome.found, span_of(truth.machine, name[2])
     layout, at = found.layout, np.linspace(span.low, span.high, ALONG)
     place = layout.components.index(ErrorName(name))
@@ -156,7 +197,8 @@ def curve_figures(outcome: Outcome, truth: Truth, name: str) -> tuple[float, flo
     columns = layout.bases[place].clamped(at).T
     off = columns @ found.unknowns[rows] - truth.curves[name](at)
     u = np.linalg.norm(columns @ found.spread[rows], axis=1)
-    return 1e3 * _rms(off), 1e3 * _rms(u), float((np.abs(off) <= WITHIN * u).mean())
+    unit = 1e3 if name[1] in "XYZ" else 1e6
+    return unit * _rms(off), unit * _rms(u), float((np.abs(off) <= WITHIN * u).mean())
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -168,26 +210,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--machines", type=int, default=4, metavar="M", help="of each kind and design (%(default)s)")
     parser.add_argument("--kinds", nargs="+", choices=tuple(KINDS), default=tuple(KINDS))
     parser.add_argument("--dense", action="store_true")
+    parser.add_argument("--axes", type=int, choices=(3, 5), default=3, help="%(default)s")
     parser.add_argument("--degree", type=int, metavar="N", help="of all curves (as readings tell)")
     args = parser.parse_args(arguments)
     if not args.table:
-        designs, options = _designs(args.first, args.designs, args.dense), replace(USUAL, degree=args.degree)
+        designs, options = _designs(args.first, args.designs, args.dense, args.axes), replace(USUAL, degree=args.degree)
         measure_all(args.out, designs, args.kinds, args.machines, options)
     print("\n".join(tables(_lines(args.out))))
     return 0
 
 
-def _designs(first: int, count: int, dense: bool) -> list[Design]:
-    """Of three axes."""
+def _designs(first: int, count: int, dense: bool, axes: int) -> list[Design]:
     found: list[Design] = []
     seed = first
     while len(found) < count:
-        design = draw_design(seed, 3)
+        design = draw_design(seed, axes)
+        seed += 1
+        if axes == 5 and not any(turns_round(design.machine, axis) for axis in design.machine.axes):
+            continue
         if not dense:
             found.append(design)
         elif design.habits.targets >= DENSE and design.ingredients["laser"]:
             found.append(quiet(design))
-        seed += 1
     return found
 
 
@@ -201,7 +245,9 @@ def measure_all(
             left = [(kind, k) for kind in kinds for k in range(machines) if (design.seed, kind, k) not in done]
             if not left:
                 continue
-            one = replace(world(design.seed, out.parent / "worlds" / str(design.seed), 3), design=design)
+            one = replace(
+                world(design.seed, out.parent / "worlds" / str(design.seed), len(design.machine.axes)), design=design
+            )
             for kind, number in left:
                 results.write(json.dumps(line_of(one, kind, number, options)) + "\n")
                 results.flush()

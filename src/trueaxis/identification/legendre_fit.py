@@ -15,6 +15,7 @@ from scipy.linalg import lstsq
 from trueaxis.identification.polynomial import OptimalFit, Samples, fit_samples
 from trueaxis.identification.polynomial.regression import empty_fit, scale_exponent, scaled_powers, to_position_powers
 from trueaxis.machine.machine import Machine
+from trueaxis.model.bases import LegendreBasis
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray, LegendreCurve, PolynomialCurve
 from trueaxis.model.errors import ErrorValues
@@ -180,8 +181,8 @@ def _design(
             samples, powers = fits[name].samples, fits[name].after.powers
             exponent, first = scale_exponent(samples.positions), len(columns)
             terms = scaled_powers(samples.positions, powers, exponent, samples.home)
-            part = np.zeros((covariance.count, len(powers)))
-            part[rows] = np.linalg.solve(curve.basis(samples.positions).T, terms)
+            part, basis = np.zeros((covariance.count, len(powers))), curve.basis.polynomials
+            part[rows][: basis.degree] = lstsq(basis(samples.positions).T, terms)[0]
             start[rows] = curve.coefficients
             columns += list(part.T)
             found[name] = _Terms(slice(first, len(columns)), powers, exponent, samples.home)
@@ -201,9 +202,17 @@ def _discrepancies(errors: ErrorValues, covariance: Covariance, fits: Mapping[st
         positions = fit.samples.positions
         rest = discrepancy(positions, fit.samples.values, fit.samples.home, fit.after.powers)
         part = np.zeros((covariance.count, positions.size))
-        part[covariance.rows_of(name)] = rest * np.linalg.inv(curve.basis(positions).T)
+        part[covariance.rows_of(name)] = rest * _by_values(curve.basis, positions)
         columns.append(part)
     return np.hstack(columns)
+
+
+def _by_values(basis: LegendreBasis, positions: FloatArray) -> FloatArray:
+    """(count, m): coefficients by values at positions (m,). Harmonics and polynomials are not told apart by all of a
+    turn: of those that come to the same the smallest.
+    """
+    at = basis(positions).T
+    return np.asarray(np.linalg.pinv(at, rcond=LEAST_SHARE) if basis.harmonics else np.linalg.inv(at))
 
 
 def _changed(

@@ -18,7 +18,7 @@ FloatArray = npt.NDArray[np.float64]
 UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low orders move the tool as much as high ones
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class LegendreBasis:
     """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree; then, where a
     rotary axis turns round, the harmonics of a turn, cos and sin of 1 .. `harmonics` times the angle, less theirs.
@@ -156,13 +156,14 @@ def unmeasured_basis(travel: Mapping[str, tuple[float, float]], component: Error
 
 def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
     """The basis of an axis: over its travel, position 0 included."""
-    return LegendreBasis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
+    return LegendreBasis(low=min(travel[0], 0.0), high=max(travel[1], 0.0), degree=degree)
 
 
 def travel_basis(travel: tuple[float, float], degree: int, harmonics: int = 0) -> LegendreBasis:
     """Over the travel, zero at home: at 0, or at the end of the travel next to it."""
     low, high = travel
-    return LegendreBasis(low, high, degree, home=min(max(0.0, low), high), harmonics=harmonics)
+    home = min(max(0.0, low), high)
+    return LegendreBasis(low=low, high=high, degree=degree, home=home, harmonics=harmonics)
 
 
 @lru_cache(maxsize=64)

@@ -223,7 +223,8 @@ def _basis(tree: Mapping[str, Any]) -> Basis:
     if tree["basis"] in ("legendre", "turn"):
         low, high = (float(end) for end in tree["range"])
         harmonics = int(tree["harmonics"]) if tree["basis"] == "turn" else 0
-        return LegendreBasis(low, high, int(tree["degree"]), float(tree.get("home", 0.0)), harmonics)
+        degree, home = int(tree["degree"]), float(tree.get("home", 0.0))
+        return LegendreBasis(low=low, high=high, degree=degree, home=home, harmonics=harmonics)
     if tree["basis"] == "table":
         return HatBasis(tuple(float(position) for position in tree["positions"]))
     if tree["basis"] == "polynomial":
