@@ -259,6 +259,7 @@ def test_nothing_is_written_where_the_fit_has_not_converged(
     told = capsys.readouterr().err
     assert re.search(r"the fit has not converged in \d+ iterations; nothing was written", told)
     assert "residuals of the worst runs: " in told
+    assert "diagnose says what readings show" in told
     assert not out.exists()
     assert not (tmp_path / "r.json").exists()
 

@@ -71,14 +71,15 @@ def diagnosis(kinds: str = "") -> Diagnosis:
 
 
 @cache
-def base_left_out(degree: int) -> tuple[int, float]:
+def base_left_out(degree: int, turns: bool = False) -> tuple[int, float]:
     """Rank of the base of a degree, and 3-D rms (mm) of poses that it predicts from the others.
 
-    The poses at B0 C0 go together: each of them alone is told by the others.
+    The poses at B0 C0 go together: each of them alone is told by the others. turns: with the harmonics of C, which
+    turns round.
     """
     model, data = given()
     rows = rows_of(data)
-    return _left_out(rows, _columns(model, rows, degree))
+    return _left_out(rows, _columns(model, rows, degree, turns))
 
 
 @cache
@@ -94,11 +95,15 @@ def lobes_left_out(axis: str, lobes: tuple[int, ...]) -> tuple[int, float]:
     return _left_out(rows, np.hstack(found))
 
 
-def _columns(model: MachineModel, rows: Rows, degree: int) -> FloatArray:
+def _columns(model: MachineModel, rows: Rows, degree: int, turns: bool = False) -> FloatArray:
     """(n, k): errors of the machine and the zeros of the probe runs: where the one sphere is. It has no alignment."""
     base = base_of(model, rows, degree=degree)
+    order = [count for basis in base.bases.values() for count in range(basis.count)]
+    order += [0] * (base.of_machine - len(order))
+    machine = base.machine.dense()
+    machine = machine if turns else machine[:, np.array(order) < degree]
     zeros = [np.isin(np.arange(rows.size), run.rows.at).astype(np.float64) for run in base.runs]
-    return np.column_stack([base.machine.dense(), *zeros])
+    return np.column_stack([machine, *zeros])
 
 
 def _left_out(rows: Rows, columns: FloatArray) -> tuple[int, float]:

@@ -45,6 +45,10 @@ written and marked: residuals far above the noise that is stated or that repeats
 contradict the others."""
 DEFAULT: Literal["convention"] = "convention"
 MISFIT_USE = "compensate, fit and export take these values with --accept-misfit only"
+WAY_ON = (
+    "a machine that changes while it is measured (heat, a knock), lost motion or runs of another set-up keep a fit "
+    "from standing still: diagnose says what readings show beside errors of the machine; --runs leaves runs out"
+)
 STEPWISE, GLOBAL = "stepwise", "global"
 FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
@@ -168,6 +172,7 @@ def run(args: argparse.Namespace) -> int:
     except NotConvergedError as failure:
         print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
         print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
+        print(f"trueaxis: {WAY_ON}", file=sys.stderr)
         return 1
     except UnbelievableError as failure:
         for fault in failure.faults:
