@@ -9,7 +9,8 @@ usual: as they are drawn; large: the positioning error of one linear axis is 5 t
 errors of the machine are; scale: the same, of a slope that is added; kinked: positioning errors of linear axes are
 what a table of a control leaves, straight lines between 15 to 50 positions; turning: half of the mean square of every
 error of a rotary axis that turns round repeats with the turn. --dense: only designs of 31 targets or more, with a fifth
-of the noise; --axes: of so many axes, of five only those with an axis that turns round. A line of JSON is a machine;
+of the noise; --axes: of so many axes, of five only those with an axis that turns round;
+--no-harmonics: as if the estimate knew no turns. A line of JSON is a machine;
 what is in FILE already is not done again.
 """
 
@@ -28,6 +29,7 @@ from tests.worlds.estimates import TOOL, WITHIN, Outcome, World, deviations, out
 from tests.worlds.machine import Array, Machine
 from tests.worlds.truth import Truth, draw_machine, span_of
 from trueaxis.error_name import ErrorName
+from trueaxis.estimation import curve_prior
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import USUAL, EstimationOptions
 from trueaxis.estimation.judgement import judged_component, judged_location
@@ -211,8 +213,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--kinds", nargs="+", choices=tuple(KINDS), default=tuple(KINDS))
     parser.add_argument("--dense", action="store_true")
     parser.add_argument("--axes", type=int, choices=(3, 5), default=3, help="%(default)s")
+    parser.add_argument("--no-harmonics", action="store_true")
     parser.add_argument("--degree", type=int, metavar="N", help="of all curves (as readings tell)")
     args = parser.parse_args(arguments)
+    if args.no_harmonics:
+        curve_prior.HARMONICS = 0
     if not args.table:
         designs, options = _designs(args.first, args.designs, args.dense, args.axes), replace(USUAL, degree=args.degree)
         measure_all(args.out, designs, args.kinds, args.machines, options)
