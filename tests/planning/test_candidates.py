@@ -12,6 +12,7 @@ from tests.worlds.estimates import world
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
+from trueaxis.measurement.reading_model import expected_reading
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
@@ -133,3 +134,20 @@ def test_a_set_up_that_was_measured_is_no_longer_there() -> None:
     reading = np.where(planned.readings.run == 1, 0.0, np.nan)
     measured = replace(planned, readings=replace(planned.readings, reading=reading))
     assert [run.id for run, _ in measured.to_take] == [planned.runs[0].id, planned.runs[2].id]
+
+
+def test_spheres_tell_where_the_axis_of_a_table_is() -> None:
+    """Since home, readings along the bed hold nothing of EX0C, those along the workpiece do."""
+    machine = model("dmu60p_5axis")
+    turns = [one for one in candidates(machine, replace(ALL, everywhere=False)) if "C turning at B0 about" in one.what]
+    assert {(one.run.frame, one.what.split(",")[0]) for one in turns} == {
+        ("bed", "probe in x"),
+        ("bed", "probe in y"),
+        ("bed", "probe in z"),
+        ("workpiece", "probe in x of the workpiece"),
+        ("workpiece", "probe in y of the workpiece"),
+    }
+    off = machine.with_values(replace(machine.errors, parameters={**machine.errors.parameters, "EX0C": 0.01}))
+    for one in turns:
+        read = np.ptp([expected_reading(each, one.run, one.positions) for each in (machine, off)], axis=0).max()
+        assert (read > 1e-3) == (one.run.frame == "workpiece"), one.what

@@ -30,9 +30,11 @@ from trueaxis.planning.paths import (
     tilted,
     turn,
 )
+from trueaxis.view import Frame
 
 LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
 CIRCLE = 36  # readings of a circle, one way
+TURNED = 1e-6  # rad: of a direction that turns with the workpiece at all
 WITH_CANDIDATES: tuple[Instrument, ...] = ("laser", "ballbar", "probe", "angle")
 
 
@@ -135,7 +137,7 @@ def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
 
 def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
-    """A probe follows a sphere on the workpiece while a rotary axis turns; read in x, y, z of the bed."""
+    """A probe follows a sphere on the workpiece while a rotary axis turns."""
     for tool, axis, place in product(kit.on_tool("probe"), rotary_axes(machine), kit.places(machine)):
         for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
@@ -143,20 +145,26 @@ def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
             positions = follow_turn(machine, turning, tool, np.repeat(centre, turning.shape[1], axis=1))
             if positions is None:
                 continue
-            sphere = PointOn("workpiece", _vector(centre[:, 0]))
+            tip, sphere = PointOn("tool", tool), PointOn("workpiece", _vector(centre[:, 0]))
             home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
-            for unit, name in zip(np.eye(3), "xyz", strict=True):
+            for frame, direction, name in _directions(machine, positions):
                 run = Run(
-                    id="",
-                    instrument="probe",
-                    target=PointOn("tool", tool),
-                    reference=sphere,
-                    frame="bed",
-                    home=home,
-                    direction=_vector(unit),
+                    id="", instrument="probe", target=tip, reference=sphere, frame=frame, home=home, direction=direction
                 )
                 what = f"probe in {name}, {_turn_text(machine, axis, at)} about a sphere at {_told(sphere)}"
                 yield Candidate(run, there_and_back(positions), what)
+
+
+def _directions(machine: IdentifiedMachine, positions: FloatArray) -> Iterator[tuple[Frame, Vector, str]]:
+    """x, y and z of the bed, and those of the workpiece that turn in it: since home the former tell where the sphere
+    stands and not where the axis that turns it does, the latter where the axis does and not the sphere.
+    """
+    origin = machine.view_ideal("workpiece_in_bed", positions, np.zeros((3, 1)))
+    for unit, name in zip(np.eye(3), "xyz", strict=True):
+        yield "bed", _vector(unit), name
+        seen = machine.view_ideal("workpiece_in_bed", positions, column(_vector(unit))) - origin
+        if float(np.ptp(seen, axis=1).max()) > TURNED:
+            yield "workpiece", _vector(unit), f"{name} of the workpiece"
 
 
 def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
