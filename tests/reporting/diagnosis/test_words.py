@@ -31,6 +31,7 @@ from trueaxis.reporting.diagnosis.words import effect_title, held_out_warning, i
         (1e-6, 1e-7, "mm/s", "3.60 um/h +/- 0.72 um/h (k = 2)"),
         (0.002, 0.0001, "mm/K", "2.00 um/K +/- 0.20 um/K (k = 2)"),
         (0.5, 150.0, "mm", "0 mm +/- 300 mm (k = 2)"),
+        (60188.0, 95737.0, "s", "60000 s +/- 190000 s (k = 2)"),
         (0.0061, math.nan, "mm", "6.10 um"),
         (0.5, 0.05, "1", "0.50 +/- 0.10 (k = 2)"),
     ],

@@ -84,8 +84,9 @@ def with_expanded(value: float, u: float, unit: str) -> str:
         return quantity(value, unit)
     factor, small = shown_in(max(abs(value), COVERAGE_FACTOR * u), unit)
     expanded = COVERAGE_FACTOR * u * factor
-    decimals = max(0, 1 - math.floor(math.log10(expanded)))
-    shown = [written(one, f".{decimals}f") + (f"{NBSP}{small}" if small else "") for one in (value * factor, expanded)]
+    place = 1 - math.floor(math.log10(expanded))  # of the last digit; below zero left of the point: 60000 s
+    rounded = (round(one, place) for one in (value * factor, expanded))
+    shown = [written(one, f".{max(0, place)}f") + (f"{NBSP}{small}" if small else "") for one in rounded]
     return f"{shown[0]} \N{PLUS-MINUS SIGN}{NBSP}{shown[1]} (k{NBSP}={NBSP}{COVERAGE_FACTOR:g})"
 
 
