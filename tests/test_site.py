@@ -70,3 +70,15 @@ def test_every_link_of_a_document_leads_somewhere() -> None:
     ]
     # made when the site is built
     assert [one for one in broken if not one.endswith(("reference/commands.md", "reference/python.md"))] == []
+
+
+def test_lists_begin_after_an_empty_line() -> None:
+    """Else the site goes on with the sentence or the table before."""
+    for path in [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), ROOT / "benchmarks" / "README.md"]:
+        text = re.sub(r"^```.*?^```$", "", path.read_text(), flags=re.M | re.S)
+        for block in re.split(r"\n\s*\n", text):
+            first, *rest = block.strip("\n").split("\n")
+            if not re.match(r" *(- |\d+\. |#)", first):
+                assert [line for line in rest if re.match(r"(- |1\. )", line)] == [], path
+            if re.match(r" +\|", first):
+                assert [line for line in rest if not line.startswith(" ")] == [], path
