@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import multivariate_normal, norm
 
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import CurvePrior
 from trueaxis.estimation.evidence import (
     FARTHEST,
@@ -31,21 +32,23 @@ from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.bases import travel_basis
 
 KINDS = [("laser zero", "laser drift"), ("laser zero", "laser drift"), ("ballbar zero", "ballbar drift")]
-DEGREE, RUN = 5, 12
+DEGREE, HARMONICS, RUN = 5, 2, 12
+CURVES = 2 * DEGREE + 2 * HARMONICS  # unknowns of both
 
 
 class Problem:
-    """Two curves, an angle and a scale, read in three runs, all written down as matrices; noise 1."""
+    """Two curves, one of an axis that turns round, an angle and a scale, read in three runs, all written down as matrices; noise 1."""
 
     def __init__(self, seed: int) -> None:
         draw = np.random.default_rng(seed)
-        bases = (travel_basis((-100.0, 300.0), DEGREE), travel_basis((0.0, 200.0), DEGREE))
+        bases = (travel_basis((-100.0, 300.0), DEGREE), travel_basis((0.0, 360.0), DEGREE, HARMONICS))
         layout = SimpleNamespace(
-            components=("EXX", "EYX"),
+            components=(ErrorName("EXX"), ErrorName("EXC")),
             bases=bases,
+            offsets=np.array([0, DEGREE, CURVES]),
             kinds=("translation", "translation", "location rad", "laser scale"),
-            count=2 * DEGREE + 2,
-            of_machine=2 * DEGREE + 1,
+            count=CURVES + 2,
+            of_machine=CURVES + 1,
         )
         self.sizes = Sizes(cast(Layout, layout), KINDS)
         self.jacobian = 30.0 * draw.standard_normal((3 * RUN, layout.count))
@@ -120,12 +123,12 @@ def test_uncertain_sizes_widen_the_posterior() -> None:
     assert np.linalg.norm(wide.spread) > np.linalg.norm(best.spread)
 
 
-@pytest.mark.parametrize("silent", ["location rad", "EYX", "translation"])
+@pytest.mark.parametrize("silent", ["location rad", "EXC", "translation"])
 def test_u_of_what_no_reading_tells_covers_all_its_sizes(silent: str) -> None:
     """Whatever the sizes are by their priors: within 1.96 u lie 95 % of what is drawn with them."""
     problem = Problem(3)
     sizes = problem.sizes
-    unread = {"location rad": [2 * DEGREE], "EYX": range(DEGREE, 2 * DEGREE), "translation": range(2 * DEGREE)}[silent]
+    unread = {"location rad": [CURVES], "EXC": range(DEGREE, CURVES), "translation": range(CURVES)}[silent]
     triangle = problem.reduced.triangle.copy()
     triangle[:, unread] = 0.0
     blocks = []

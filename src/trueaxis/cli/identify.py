@@ -171,8 +171,7 @@ def run(args: argparse.Namespace) -> int:
         identified = _identify(args, model, data, known)
     except NotConvergedError as failure:
         print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
-        print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
-        print(f"trueaxis: {WAY_ON}", file=sys.stderr)
+        print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}\ntrueaxis: {WAY_ON}", file=sys.stderr)
         return 1
     except UnbelievableError as failure:
         for fault in failure.faults:
