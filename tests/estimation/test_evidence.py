@@ -37,7 +37,9 @@ CURVES = 2 * DEGREE + 2 * HARMONICS  # unknowns of both
 
 
 class Problem:
-    """Two curves, one of an axis that turns round, an angle and a scale, read in three runs, all written down as matrices; noise 1."""
+    """Two curves, one of an axis that turns round, an angle and a scale, read in three runs, all written down as
+    matrices; noise 1.
+    """
 
     def __init__(self, seed: int) -> None:
         draw = np.random.default_rng(seed)
