@@ -185,13 +185,21 @@ def test_the_sizes_are_those_that_plain_values_lead_to(seed: int) -> None:
     np.testing.assert_array_equal(posterior.mean, posterior_at(problem.sizes, problem.reduced, x).mean)
 
 
-@pytest.mark.parametrize("travel", [(-100.0, 300.0), (0.0, 500.0), (-900.0, -200.0)])
+@pytest.mark.parametrize(
+    ("travel", "harmonics"),
+    [((-100.0, 300.0), 0), ((0.0, 500.0), 0), ((-900.0, -200.0), 0), ((0.0, 720.0), 8), ((90.0, 450.0), 8)],
+)
 @pytest.mark.parametrize("shape", [(0.0, 0.0), (0.6, -0.4)])
-def test_a_curve_of_the_prior_has_its_size(travel: tuple[float, float], shape: tuple[float, float]) -> None:
-    basis = travel_basis(travel, 10)
+def test_a_curve_of_the_prior_has_its_size(
+    travel: tuple[float, float], harmonics: int, shape: tuple[float, float]
+) -> None:
+    """Where an axis turns round half of its mean square repeats."""
+    basis = travel_basis(travel, 10, harmonics)
     log, slope = CurvePrior(basis).log_weights(np.array(shape))
     at = np.linspace(*travel, 4001)
-    assert np.mean(np.exp(2.0 * log) @ basis(at) ** 2) == pytest.approx(1.0, abs=2e-3)
+    squares = np.mean(np.exp(2.0 * log)[:, np.newaxis] * basis(at) ** 2, axis=1)
+    assert squares.sum() == pytest.approx(1.0, abs=2e-3)
+    assert squares[10:].sum() == pytest.approx(0.5 if harmonics else 0.0, abs=2e-3)
     for place in range(2):
         step = np.eye(2)[place] * 1e-6
         ahead, behind = (CurvePrior(basis).log_weights(np.array(shape) + sign * step)[0] for sign in (1, -1))

@@ -1,4 +1,4 @@
-"""Errors of a rotary axis that repeat with its turn, on a world; which axes turn round; their prior."""
+"""Errors of a rotary axis that repeat with its turn, on a world; which axes turn round."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from tests.worlds.estimates import World, outcome_of, world
 from tests.worlds.truth import draw_machine
 from tests.worlds.unlike import curve_figures, repeating, turning
-from trueaxis.estimation.curve_prior import HARMONICS, SHAPE, CurvePrior, harmonics_of
+from trueaxis.estimation.curve_prior import HARMONICS, harmonics_of
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.sizes import TURNS
 from trueaxis.model.bases import travel_basis
@@ -53,25 +53,6 @@ def test_without_a_prior_nothing_says_how_much_repeats(two_turns: World) -> None
 )
 def test_axes_that_can_turn_round_have_harmonics(axis: str, travel: tuple[float, float], harmonics: int) -> None:
     assert harmonics_of(axis, travel) == harmonics
-
-
-@pytest.mark.parametrize("travel", [(-360.0, 360.0), (90.0, 450.0), (0.0, 1080.0)])
-def test_draws_of_the_prior_have_its_size_and_half_of_it_repeats(travel: tuple[float, float]) -> None:
-    basis = travel_basis(travel, 14, 8)
-    log, _ = CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))
-    at = np.linspace(*travel, 3601)[:-1]
-    variance = (basis(at) * np.exp(log)[:, np.newaxis]) ** 2
-    assert variance.sum(axis=0).mean() == pytest.approx(1.0, rel=0.03)
-    assert variance[14:].sum(axis=0).mean() == pytest.approx(0.5, rel=0.03)
-
-
-def test_the_shape_moves_polynomials_alone() -> None:
-    prior, step = CurvePrior(travel_basis((-360.0, 360.0), 14, 8)), 1e-5
-    _, slope = prior.log_weights(np.zeros(2))
-    for place in range(2):
-        ends = [prior.log_weights(sign * step * np.eye(2)[place])[0] for sign in (-1.0, 1.0)]
-        np.testing.assert_allclose(slope[place], (ends[1] - ends[0]) / (2.0 * step), atol=1e-8)
-    assert not slope[:, 14:].any()
 
 
 def test_one_turn_tells_all_of_an_axis_without_ends() -> None:
