@@ -1,5 +1,6 @@
 """The menu of further runs: each can be taken on the machine at hand, and is what its words say."""
 
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -17,8 +18,10 @@ from trueaxis.diagnosis.further_runs.menu import FurtherRun, menu
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_geometry import ideal_bar, ideal_displacement
+from trueaxis.measurement.reading_model import expected_reading
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import PointOn, Run, Setup
+from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.kernels import Kernels
 from trueaxis.model.model import MachineModel
@@ -145,3 +148,22 @@ def one_line(text: str) -> tuple[MachineModel, Rows]:
         reading=np.zeros(24),
     )
     return model, rows_of(MeasuredData(Setup(machine.name, (run,)), readings))
+
+
+def test_optics_elsewhere_tell_an_angle_from_the_error_of_a_point() -> None:
+    """Towards Z+ the pitch of X, EBX, moves the optics along X by so much for each radian; EXX does as before."""
+    case = prepared(Case(seed=1, design=SMALL, noise="none"))
+    line = next(run for run in case.rows.runs if run.id.startswith("X"))
+    found = [one for one in menu(case.model, case.rows) if "optics 100 mm" in one.what and line.id in one.what]
+    assert [one.what[-2:] for one in found] == ["Y+", "Z+"]
+    towards_z = found[1]
+
+    def read(name: str, size: float, run: Run) -> np.ndarray:
+        curve = PolynomialCurve(powers=(1,), coefficients=(size,))
+        machine = case.model.with_values(replace(case.model.errors, motion_errors={name: curve}))
+        return expected_reading(machine, run, towards_z.positions)
+
+    way = np.ptp(towards_z.positions[0])
+    np.testing.assert_allclose(read("EXX", 1e-5, towards_z.run), read("EXX", 1e-5, line), atol=1e-9)
+    angle = read("EBX", 1e-8, towards_z.run) - read("EBX", 1e-8, line)
+    assert np.ptp(angle) == pytest.approx(100.0 * 1e-8 * way, rel=1e-3)

@@ -21,13 +21,14 @@ from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.approach import approach_directions
-from trueaxis.measurement.setup import Run
+from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates
 
 HOUR = 3600.0
 SWING, WARMER = 3.0, 5.0  # K
 READING_S = 6.0  # of a laser or probe, with the way to the target
+ASIDE, SLANTED = 100.0, 0.5  # mm, across the motion of a line: where the motion has less than half of that direction
 IRREGULAR = 0.4  # of the distance of two targets, by which each is moved at most
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 FEEDS = 4.0  # ratio of another feed to the one at hand
@@ -91,6 +92,8 @@ def _lines(model: MachineModel, rows: Rows, lines: Sequence[Line]) -> Iterator[F
         if regular is not None:
             yield _of_line(regular, f"line {line.run.id} with targets at irregular distances")
     for line in first.values():
+        yield from _elsewhere(line)
+    for line in first.values():
         yield from _warm(rows, line)
         if rows.time is not None:
             later = 4.0 * float(np.ptp(rows.time)) + HOUR
@@ -109,6 +112,24 @@ def _irregular(model: MachineModel, line: Line) -> Line | None:
     positions = line.positions.copy()
     positions[row] = np.round(targets + shift, 3)[np.searchsorted(targets, line.positions[row])]
     return replace(line, positions=positions)
+
+
+def _elsewhere(line: Line) -> Iterator[FurtherRun]:
+    """Across the motion: an angle moves the optic there by as much more, the error of a point by no more."""
+    for k, letter in enumerate("XYZ"):
+        if abs(line.motion[k]) > SLANTED:
+            continue
+        shift = ASIDE * np.eye(3)[k]
+        run = replace(line.run, target=_shifted(line.run.target, shift), reference=_shifted(line.run.reference, shift))
+        yield _of_line(
+            line, f"line {line.run.id} again with the optics {ASIDE:g} mm further towards {letter}+", run=run
+        )
+
+
+def _shifted(end: PointOn, shift: FloatArray) -> PointOn:
+    """A point of a body elsewhere by a way that all bodies see alike, with the axes at home."""
+    x, y, z = (round(float(part), 6) for part in np.array(end.point) + shift)
+    return replace(end, point=(x, y, z))
 
 
 def _warm(rows: Rows, line: Line) -> Iterator[FurtherRun]:
