@@ -116,7 +116,7 @@ def exact_curve(curve: Curve, position: float) -> Any:
             return _exact_table(curve, at)
         case LegendreCurve(basis=basis):
             home = min(max(0.0, basis.low), basis.high)
-            return _legendre_sum(curve, min(max(at, basis.low), basis.high)) - _legendre_sum(curve, home)
+            return _legendre_sum(curve, at) - _legendre_sum(curve, home)
 
 
 def _exact_table(curve: TableCurve, at: Any) -> Any:
@@ -130,10 +130,10 @@ def _exact_table(curve: TableCurve, at: Any) -> Any:
 
 def _legendre_sum(curve: LegendreCurve, at: Any) -> Any:
     low, high = DIGITS.mpf(curve.basis.low), DIGITS.mpf(curve.basis.high)
-    scaled = (2 * DIGITS.mpf(at) - low - high) / (high - low)
+    scaled = (2 * min(max(DIGITS.mpf(at), low), high) - low - high) / (high - low)
     each, degree = list(map(DIGITS.mpf, curve.coefficients)), curve.basis.degree
     polynomials = DIGITS.fsum(c * mpmath.legendre(k, scaled) for k, c in enumerate(each[:degree], 1))
-    angle, waves = DIGITS.radians(at), each[degree:]
+    angle, waves = DIGITS.radians(DIGITS.mpf(at)), each[degree:]
     pairs = enumerate(zip(waves[::2], waves[1::2], strict=True), 1)
     return polynomials + DIGITS.fsum(c * DIGITS.cos(k * angle) + s * DIGITS.sin(k * angle) for k, (c, s) in pairs)
 

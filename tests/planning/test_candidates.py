@@ -9,7 +9,9 @@ import pytest
 from tests.planning.data import model
 from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
+from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.identification.notes import tip_notes
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.measurement.reading_model import expected_reading
@@ -151,3 +153,20 @@ def test_spheres_tell_where_the_axis_of_a_table_is() -> None:
     for one in turns:
         read = np.ptp([expected_reading(each, one.run, one.positions) for each in (machine, off)], axis=0).max()
         assert (read > 1e-3) == (one.run.frame == "workpiece"), one.what
+
+
+def test_a_tip_that_leaves_its_sphere_is_told() -> None:
+    """Since the workpiece lies 80 mm elsewhere on the table than it is said to: a dimension is not given."""
+    machine = model("dmu60p_5axis")
+    turns = [one for one in candidates(machine, replace(ALL, everywhere=False)) if "C turning at B0 about" in one.what]
+    positions = np.hstack([one.positions for one in turns])
+    observed = Observations(
+        source="plan",
+        runs=tuple(one.run for one in turns),
+        run=np.repeat(np.arange(len(turns)), [one.positions.shape[1] for one in turns]),
+        positions=positions,
+        reading=np.zeros(positions.shape[1]),
+    )
+    assert tip_notes(machine, observed) == ()
+    (note,) = tip_notes(machine.with_values(replace(machine.errors, parameters={"q_wx": 80.0})), observed)
+    assert "the tip leaves its place by up to" in note

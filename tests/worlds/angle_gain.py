@@ -83,7 +83,7 @@ def figures(model: MachineModel, truth: Truth, found: Identified) -> tuple[float
         assert isinstance(curve, LegendreCurve)
         off = curve(at) - true
         rows = found.errors.covariance.rows_of(name)
-        shapes, own = curve.basis.clamped(at), found.errors.covariance.matrix[rows, rows]
+        shapes, own = curve.basis(at), found.errors.covariance.matrix[rows, rows]
         variance = np.einsum("in,ij,jn->n", shapes, own, shapes)
         squares.append((np.mean(true**2), np.mean(off**2)))
         away = at != home

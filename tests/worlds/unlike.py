@@ -196,7 +196,7 @@ def curve_figures(outcome: Outcome, truth: Truth, name: str) -> tuple[float, flo
     layout, at = found.layout, np.linspace(span.low, span.high, ALONG)
     place = layout.components.index(ErrorName(name))
     rows = slice(layout.offsets[place], layout.offsets[place + 1])
-    columns = layout.bases[place].clamped(at).T
+    columns = layout.bases[place](at).T
     off = columns @ found.unknowns[rows] - truth.curves[name](at)
     u = np.linalg.norm(columns @ found.spread[rows], axis=1)
     unit = 1e3 if name[1] in "XYZ" else 1e6

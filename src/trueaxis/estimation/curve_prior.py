@@ -8,17 +8,17 @@ import numpy as np
 
 from trueaxis.machine.machine import ROTARY
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.model.bases import LegendreBasis
+from trueaxis.model.bases import TURN, LegendreBasis
 
 DEGREE = 14  # waves of a quarter of the travel are resolved; what is finer counts as noise of the instrument
 SHAPE = ("waves", "falling")  # logarithms of both are estimated
 WAVES, WAVES_FACTOR = 3.0, 2.0  # order up to which a curve holds about as much of each order, and its spread
 FALLING, FALLING_FACTOR = 3.0, 1.6  # power by which it falls beyond: as a Matern process of a few derivatives
 
-TURN = 360.0  # deg
 # Up to which order a turn is followed. Bearings, a table that is held off its middle and encoders with up to four heads
 # repeat as often; what repeats with the teeth of a gear is a cyclic error.
 HARMONICS = 8
+MOST_TURNS = 10  # of a travel that has ends: cables and hoses allow no more
 
 
 def harmonics_of(axis: str, travel: tuple[float, float]) -> int:
@@ -28,6 +28,19 @@ def harmonics_of(axis: str, travel: tuple[float, float]) -> int:
     tells they know nothing in the next.
     """
     return HARMONICS if axis in ROTARY and travel[1] - travel[0] >= TURN else 0
+
+
+def range_of(travel: tuple[float, float], harmonics: int, read: FloatArray) -> tuple[float, float]:
+    """Of the polynomials of an axis: its travel; of one without ends the positions that are read, (n,), and home, with
+    a turn to either side.
+
+    How a curve changes from turn to turn would be next to nothing over a travel of hundreds of turns.
+    """
+    low, high = travel
+    if not harmonics or high - low <= MOST_TURNS * TURN:
+        return travel
+    near = np.append(read, min(max(0.0, low), high))
+    return max(low, float(near.min()) - TURN), min(high, float(near.max()) + TURN)
 
 
 @dataclass(frozen=True, slots=True)

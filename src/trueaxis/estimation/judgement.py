@@ -10,7 +10,7 @@ from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import Determined
 
-SAMPLES = 33  # positions of a travel at which a curve is judged
+SAMPLES = 33  # positions of a travel at which a curve is judged, at least
 TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly matters, above the other nothing else does
 
 
@@ -42,8 +42,8 @@ def judged_component(found: Estimate, component: ErrorName) -> Judged:
     basis = layout.bases[place]
     first = int(layout.offsets[place])
     rows = slice(first, first + basis.count)
-    change = np.zeros((SAMPLES, layout.count))
-    positions = np.linspace(basis.low, basis.high, SAMPLES)
+    positions = basis.evenly(SAMPLES)
+    change = np.zeros((positions.size, layout.count))
     change[:, rows] = basis(positions).T
     return _judged(found, change, positions)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.curve_prior import DEGREE, harmonics_of
+from trueaxis.estimation.curve_prior import DEGREE, harmonics_of, range_of
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
@@ -124,10 +124,14 @@ def layout_of(
     time = None if observed.context is None else observed.context.time
     shared = shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
     others = other_degrees or {}
-    travel = model.travel
-    harmonics = {axis: harmonics_of(axis, travel[axis]) if turns else 0 for axis in model.axes}
+    harmonics = {axis: harmonics_of(axis, model.travel[axis]) for axis in model.axes}
+    ranges = {
+        axis: range_of(model.travel[axis], harmonics[axis], observed.positions[row])
+        for row, axis in enumerate(model.axes)
+    }
     bases = tuple(
-        travel_basis(travel[name.axis], others.get(name, degree), harmonics[name.axis]) for name in components
+        travel_basis(ranges[name.axis], others.get(name, degree), harmonics[name.axis] if turns else 0)
+        for name in components
     )
     prior, machine = model.prior, model.machine
     sizes = [

@@ -12,7 +12,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.identification.estimated_effects import effect_reports
 from trueaxis.identification.fit_quality import FitQuality
-from trueaxis.identification.notes import dimension_notes, estimate_notes
+from trueaxis.identification.notes import dimension_notes, estimate_notes, tip_notes
 from trueaxis.identification.report import (
     ComponentReport,
     IdentificationReport,
@@ -22,6 +22,7 @@ from trueaxis.identification.report import (
     NoiseGroupReport,
 )
 from trueaxis.identification.words import DETERMINED_BY, enumerated
+from trueaxis.machine.machine import ROTARY
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.machine import FloatArray
@@ -34,7 +35,9 @@ ORIGINS: dict[bool, dict[Determined, str]] = {
     True: DETERMINED_BY,
     False: {"data": DETERMINED_BY["data"], "partly": "partly open", "prior": "open: zero"},
 }
-RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
+LEVEL = "least-squares lines of the straightness are level (ISO 230-1)"
+RULES = {"convention": LEVEL, "known": "given"}
+TOLD = f"{LEVEL}, but for those whose slope a rotary axis tells from squareness"
 
 
 def estimated_report(
@@ -66,7 +69,7 @@ def estimated_report(
     return IdentificationReport(
         machine=model.name,
         method="global",
-        squareness=RULES[squareness],
+        squareness=TOLD if squareness == "convention" and set(model.axes) & set(ROTARY) else RULES[squareness],
         readings=observed.reading.size,
         left_out=(),
         lever=lever(model),
@@ -91,7 +94,7 @@ def estimated_report(
         effects=effect_reports(values, found),
         outliers=int(found.readings.outliers.sum()),
         notes=(*remedies, *estimate_notes(model, observed, found, given, prior=prior)),
-        caveats=dimension_notes(model, given),
+        caveats=(*dimension_notes(model, given), *tip_notes(found.layout.model, observed)),
     )
 
 

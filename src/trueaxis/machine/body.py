@@ -63,7 +63,8 @@ def _travel(fields: Fields, moves: str | None) -> tuple[float, float] | None:
             fields.fault("travel", "a body that does not move has no travel", 'leave it out, or add moves = "X"')
         fields.known.add("travel")
         return None
-    travel = fields.numbers("travel", 2, required=moves is not None)
+    endless = "" if moves in LINEAR else "; of an axis without ends as its control has it, such as [-99999.0, 99999.0]"
+    travel = fields.numbers("travel", 2, required=moves is not None, also=endless)
     if travel is None:
         return None
     runs = f"runs from {travel[0]:g} to {travel[1]:g}"

@@ -100,9 +100,9 @@ class Fields:
             self.fault(key, f"is {shown(value)}", right)
         return read
 
-    def numbers(self, key: str, count: int, required: bool = False) -> tuple[float, ...] | None:
-        """A list of so many finite numbers."""
-        right = f"a list of {count} finite numbers"
+    def numbers(self, key: str, count: int, required: bool = False, also: str = "") -> tuple[float, ...] | None:
+        """A list of so many finite numbers; also: what else is to be known of them."""
+        right = f"a list of {count} finite numbers{also}"
         value = self._take(key, required, right)
         if value is None:
             return None

@@ -15,6 +15,8 @@ from trueaxis.error_name import ErrorName
 
 FloatArray = npt.NDArray[np.float64]
 
+TURN = 360.0  # deg
+A_WAVE = 6  # positions of the finest wave of a curve, where it is looked at
 UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low orders move the tool as much as high ones
 
 
@@ -22,6 +24,7 @@ UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low o
 class LegendreBasis:
     """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree; then, where a
     rotary axis turns round, the harmonics of a turn, cos and sin of 1 .. `harmonics` times the angle, less theirs.
+    Beyond the range polynomials keep the values at its ends, and turns repeat.
 
     The first is the position from home divided by half the range. low, high, home: mm or deg.
     """
@@ -34,12 +37,12 @@ class LegendreBasis:
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """(count, n): the basis functions at positions (n,)."""
-        values = _functions(self._scaled(positions), positions, self.degree, self.harmonics)
-        return np.ascontiguousarray((values - _at_home(self)).T)
+        return np.asarray(basis_values((self,), positions[np.newaxis])[0])
 
-    def clamped(self, positions: FloatArray) -> FloatArray:
-        """(count, n): the same, with the values at the ends beyond the range."""
-        return np.asarray(clamped_values((self,), positions[np.newaxis])[0])
+    def evenly(self, least: int) -> FloatArray:
+        """(m,): positions evenly over the range, `least` of them, more where harmonics are finer than that."""
+        of_waves = int(A_WAVE * self.harmonics * (self.high - self.low) / TURN)
+        return np.linspace(self.low, self.high, max(least, of_waves + 1))
 
     @property
     def count(self) -> int:
@@ -79,14 +82,13 @@ class LegendreBasis:
         return 0.5 * (self.low + self.high), 0.5 * (self.high - self.low) or 1.0
 
 
-def clamped_values(bases: tuple[LegendreBasis, ...], positions: FloatArray) -> FloatArray:
-    """(k, count, n): each of k bases of one order at positions of its own, (k, n); see `LegendreBasis.clamped`.
+def basis_values(bases: tuple[LegendreBasis, ...], positions: FloatArray) -> FloatArray:
+    """(k, count, n): each of k bases of one order at positions of its own, (k, n).
 
     At once, since on the few positions of a run a call costs more than its arithmetic.
     """
     low, high, centre, half, at_home = _stacked(bases)
-    inside = np.clip(positions, low, high)
-    values = _functions((inside - centre) / half, inside, *bases[0].order)
+    values = _functions((np.clip(positions, low, high) - centre) / half, positions, *bases[0].order)
     return np.ascontiguousarray((values - at_home).transpose(0, 2, 1))
 
 

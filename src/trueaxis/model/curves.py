@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis, clamped_values
+from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis, basis_values
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -65,7 +65,7 @@ class TableCurve:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LegendreCurve:
     """Sum of Legendre polynomials over the travel of an axis, and of harmonics where it turns round, zero at its home;
-    beyond the travel the end values hold.
+    beyond the travel the end values of the polynomials hold.
 
     basis: of the axis position, mm or deg; coefficients: of its functions, mm or rad; u, u_readings, u_prior, measured:
     as of a polynomial.
@@ -81,7 +81,7 @@ class LegendreCurve:
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`."""
         at = np.asarray(positions, dtype=np.float64)
-        return (np.array(self.coefficients) @ self.basis.clamped(at.ravel())).reshape(at.shape)
+        return (np.array(self.coefficients) @ self.basis(at.ravel())).reshape(at.shape)
 
 
 Curve = PolynomialCurve | TableCurve | LegendreCurve
@@ -100,8 +100,8 @@ def basis_of_curve(curve: Curve) -> HatBasis | PowerBasis | LegendreBasis:
 
 def polynomial_of(curve: LegendreCurve) -> PolynomialCurve:
     """The same within the travel in plain powers; beyond it, the polynomial goes on. Of a curve without harmonics."""
-    at_home = float((np.array(curve.coefficients) @ curve.basis(np.zeros(1)))[0])
     powers = np.array(curve.coefficients) @ curve.basis.powers
+    at_home = -float(powers @ curve.basis.home ** np.arange(1.0, powers.size + 1.0))
     return PolynomialCurve(
         powers=tuple(range(powers.size + 1)), coefficients=(at_home, *powers.tolist()), u=None, measured=curve.measured
     )
@@ -138,7 +138,7 @@ def evaluate_components(
         values[rows] = found
     for order in {basis.order for _, basis in legendre}:
         alike = {key: rows for key, rows in legendre.items() if key[1].order == order}
-        each = clamped_values(tuple(basis for _, basis in alike), positions[[axis for axis, _ in alike]])
+        each = basis_values(tuple(basis for _, basis in alike), positions[[axis for axis, _ in alike]])
         for rows, found in zip(alike.values(), each, strict=True):
             values[rows] = _stacked(tuple(curves[components[row]] for row in rows)) @ found
     return values

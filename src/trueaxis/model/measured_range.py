@@ -6,9 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.error_name import ErrorName
-from trueaxis.model.curves import FloatArray, TableCurve
+from trueaxis.model.bases import TURN
+from trueaxis.model.curves import Curve, FloatArray, LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues
 
+ROUND = 0.9  # of a turn: targets every 30 deg end 30 deg before it closes
 ROUNDING = 1e-6  # mm or deg: positions that agree so far are the same position
 
 
@@ -30,15 +32,20 @@ class BeyondMeasured:
     by_prior: bool = False
 
 
+def _measured_round(curve: Curve, low: float, high: float) -> bool:
+    """Whether a curve repeats with the turn, and all of one was measured."""
+    return isinstance(curve, LegendreCurve) and curve.basis.harmonics > 0 and high - low >= ROUND * TURN
+
+
 def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatArray) -> tuple[BeyondMeasured, ...]:
     """Where curves are used beyond their measured range; components of one axis and one range together.
 
     axes: letters of the rows of positions, (n_axes, n), mm or deg. Curves that do not say what was measured count as
-    measured everywhere.
+    measured everywhere, and so do those that repeat with a turn that was.
     """
     ranges: dict[tuple[str, float, float, bool], list[str]] = {}
     for name, curve in errors.motion_errors.items():
-        if curve.measured is not None:
+        if curve.measured is not None and not _measured_round(curve, *curve.measured):
             by_prior = not isinstance(curve, TableCurve) and any(curve.u_prior or ())
             ranges.setdefault((ErrorName(name).axis, *curve.measured, by_prior), []).append(name)
     found = []

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.model.bases import Basis, LegendreBasis
 from trueaxis.model.best_fit import Placements
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
@@ -77,7 +76,7 @@ class Drawing:
             (
                 model.components.index(name),
                 points.covariance.rows_of(name),
-                _at(basis, positions[model.axes.index(name.axis)]),
+                basis(positions[model.axes.index(name.axis)]),
             )
             for name, basis in zip(points.covariance.components, points.covariance.bases, strict=True)
         ]  # fmt: skip
@@ -165,11 +164,6 @@ class Drawing:
 def with_length(errors: FloatArray) -> FloatArray:
     """(m, 4, n): x, y, z and the length of error vectors (m, 3, n)."""
     return np.concatenate([errors, np.linalg.norm(errors, axis=1)[:, np.newaxis]], axis=1)
-
-
-def _at(basis: Basis, positions: FloatArray) -> FloatArray:
-    """Of the basis as curves have it: beyond the travel the end values hold."""
-    return basis.clamped(positions) if isinstance(basis, LegendreBasis) else basis(positions)
 
 
 def _effect_rows(model: MachineModel, covariance: Covariance) -> dict[str, npt.NDArray[np.int64]]:

@@ -183,8 +183,9 @@ def _target(layout: Layout, wish: Wish) -> FloatArray:
     else:
         place = layout.components.index(wish.wanted)
         basis, first = layout.bases[place], int(layout.offsets[place])
-        found = np.zeros((SAMPLES, layout.count))
-        found[:, first : first + basis.count] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T / np.sqrt(SAMPLES)
+        at = basis.evenly(SAMPLES)
+        found = np.zeros((at.size, layout.count))
+        found[:, first : first + basis.count] = basis(at).T / np.sqrt(at.size)
     return np.asarray(found @ levelling(layout))
 
 

@@ -11,7 +11,7 @@ from trueaxis.model.curves import Curve, LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.uncertainty import curve_u
 
-SAMPLES = 65  # positions at which the largest value of a curve is sought
+SAMPLES = 65  # positions at which the largest value of a curve is sought, at least
 _SCHEMA = {
     "error": pl.String, "unit": pl.String, "value": pl.Float64, "u": pl.Float64, "at": pl.Float64, "basis": pl.String,
     "determined": pl.String,
@@ -43,16 +43,15 @@ def _largest(
     name: str, curve: Curve, covariance: Covariance, machine: Machine | None
 ) -> tuple[float | None, float | None, float | None, str]:
     """The value that is farthest from zero, its u, its position, and what kind of curve it is of."""
-    basis, at = "polynomial", curve.measured
     if isinstance(curve, TableCurve):
-        basis = "table"
+        basis, positions = "table", np.array(curve.positions)
     elif isinstance(curve, LegendreCurve):
-        basis, at = "turn" if curve.basis.harmonics else "legendre", (curve.basis.low, curve.basis.high)
-    elif machine is not None:
-        at = machine.travel[ErrorName(name).axis]
-    if at is None:
-        return None, None, None, basis
-    positions = np.array(curve.positions) if isinstance(curve, TableCurve) else np.linspace(*at, SAMPLES)
+        basis, positions = "turn" if curve.basis.harmonics else "legendre", curve.basis.evenly(SAMPLES)
+    else:
+        basis, at = "polynomial", curve.measured if machine is None else machine.travel[ErrorName(name).axis]
+        if at is None:
+            return None, None, None, basis
+        positions = np.linspace(*at, SAMPLES)
     found = curve(positions)
     worst = int(np.argmax(np.abs(found)))
     u = None

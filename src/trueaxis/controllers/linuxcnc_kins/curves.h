@@ -78,7 +78,7 @@ static double legendre_at(const curve *of, double position)
     if (of->harmonics == 0) {
         return value;
     }
-    const double angle = clamped * 0.017453292519943295; /* pi / 180 */
+    const double angle = position * 0.017453292519943295; /* pi / 180; turns repeat beyond the range */
     const double cosine = cos(angle);
     const double sine = sin(angle);
     const double *numbers = of->numbers + of->count;

@@ -136,7 +136,7 @@ class Base:
             return np.zeros(0), (self.sizes * self.expected)[: self.of_machine][mine][np.newaxis]
         at = rows.positions[rows.axes.index(ErrorName(name).axis)]
         grid = np.linspace(float(at.min()), float(at.max()), PLACES)
-        return grid, self.bases[name].clamped(grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
+        return grid, self.bases[name](grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
 
 
 def _renumbered(run: MeasuredRun, place: IntArray) -> MeasuredRun:
