@@ -18,7 +18,8 @@ from trueaxis.diagnosis.null_model.temperature import smoothed
 from trueaxis.diagnosis.result import Evidence, FloatArray, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
-from trueaxis.model.curves import PolynomialCurve, TableCurve
+from trueaxis.model.bases import travel_basis
+from trueaxis.model.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Undetermined
 from trueaxis.model.model import load_model
 
@@ -214,3 +215,26 @@ def test_two_runs_whose_readings_are_swapped_are_told_beside_right_values() -> N
 
     assert set(misfits(replace(given.data, readings=replace(readings, reading=values)))) == set(swapped)
     assert misfits(given.data) == ()
+
+
+TURNING = LegendreCurve(
+    basis=travel_basis((-360.0, 360.0), 3, 2), coefficients=(1e-3, -2e-3, 5e-4, 3e-3, 1e-3, 0, 2e-3)
+)
+
+
+@pytest.mark.parametrize(
+    ("given", "form", "near"),
+    [
+        (PolynomialCurve(powers=(1, 5), coefficients=(1e-5, 1e-15)), LegendreCurve, 1e-14),
+        (LegendreCurve(basis=travel_basis((-360.0, 360.0), 5), coefficients=(1e-3,) * 5), LegendreCurve, 1e-14),
+        (replace(TURNING, basis=travel_basis((-360.0, 360.0), 1, 3)), LegendreCurve, 1e-14),
+        # not zero at home: a table of every degree, straight between
+        (PolynomialCurve(powers=(0, 1), coefficients=(1e-3, 1e-5)), TableCurve, 1e-6),
+    ],
+)
+def test_curves_with_harmonics_are_added(given: Curve, form: type[Curve], near: float) -> None:
+    before, change = (ErrorValues(machine="m", motion_errors={"EXC": curve}) for curve in (given, TURNING))
+    total = changed(before, change, []).motion_errors["EXC"]
+    at = np.linspace(-360.0, 360.0, 97)
+    assert isinstance(total, form)
+    np.testing.assert_allclose(total(at), given(at) + TURNING(at), atol=near)

@@ -81,12 +81,12 @@ def test_one_turn_tells_all_of_an_axis_without_ends() -> None:
 def test_an_axis_without_ends_is_followed_about_where_it_is_read(
     travel: tuple[float, float], read: tuple[float, ...], expected: tuple[float, float]
 ) -> None:
-    """Over 555 turns what changes in two is next to nothing: the tool point was 5.6 um off where u was 3.6."""
+    """Over 555 turns what changes in two would be next to nothing, and u would hold nothing of it."""
     assert range_of(travel, HARMONICS, np.array(read)) == expected
 
 
 def test_curves_are_looked_at_as_finely_as_they_may_change() -> None:
-    """A largest value was read at every 45 deg of a curve with four waves a turn, and a third too small."""
+    """At every 45 deg the largest value of four waves a turn may be missed by all of them."""
     basis = travel_basis((-720.0, 720.0), 14, HARMONICS)
     assert np.diff(basis.evenly(33)).max() <= 360.0 / (5 * HARMONICS)
     assert basis.polynomials.evenly(33).size == 33

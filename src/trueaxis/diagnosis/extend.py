@@ -174,12 +174,14 @@ def _table(model: MachineModel, given: ErrorValues, now: ErrorValues, found: Ide
     known = found.values.determined.keys()
     rows = []
     for name in (one for one in model.components if one in known):
-        at = np.linspace(*model.travel[name.axis], SAMPLES)
-        before = given.motion_errors[name](at) if name in given.motion_errors else np.zeros(SAMPLES)
-        rows.append(row(name, name.unit, before, now.motion_errors[name](at)))
+        after = now.motion_errors[name]
+        travel = np.linspace(*model.travel[name.axis], SAMPLES)
+        at = after.basis.evenly(SAMPLES) if isinstance(after, LegendreCurve) else travel
+        before = given.motion_errors[name](at) if name in given.motion_errors else np.zeros(at.size)
+        rows.append(row(name, name.unit, before, after(at)))
     for location in (one for one in model.location_errors if one in known):
-        before, after = (np.array([one.parameters.get(location, 0.0)]) for one in (given, now))
-        rows.append(row(location, model.machine.parameter_unit(location), before, after))
+        values = (np.array([one.parameters.get(location, 0.0)]) for one in (given, now))
+        rows.append(row(location, model.machine.parameter_unit(location), *values))
     return tuple(rows)
 
 

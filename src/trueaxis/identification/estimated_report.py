@@ -21,8 +21,7 @@ from trueaxis.identification.report import (
     LocationReport,
     NoiseGroupReport,
 )
-from trueaxis.identification.words import DETERMINED_BY, enumerated
-from trueaxis.machine.machine import ROTARY
+from trueaxis.identification.words import DETERMINED_BY, enumerated, level_rule
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.machine import FloatArray
@@ -35,9 +34,6 @@ ORIGINS: dict[bool, dict[Determined, str]] = {
     True: DETERMINED_BY,
     False: {"data": DETERMINED_BY["data"], "partly": "partly open", "prior": "open: zero"},
 }
-LEVEL = "least-squares lines of the straightness are level (ISO 230-1)"
-RULES = {"convention": LEVEL, "known": "given"}
-TOLD = f"{LEVEL}, but for those whose slope a rotary axis tells from squareness"
 
 
 def estimated_report(
@@ -69,7 +65,7 @@ def estimated_report(
     return IdentificationReport(
         machine=model.name,
         method="global",
-        squareness=TOLD if squareness == "convention" and set(model.axes) & set(ROTARY) else RULES[squareness],
+        squareness=level_rule(model.axes) if squareness == "convention" else "given",
         readings=observed.reading.size,
         left_out=(),
         lever=lever(model),

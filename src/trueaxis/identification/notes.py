@@ -29,7 +29,7 @@ SLOW = 3.0  # slow over white noise: instruments drift by about as much as they 
 DRIFT = 3.0  # times the usual drift of a run of the instrument: a smaller slow part is no more than that
 MOST_SLOW = 0.999 * float(np.sqrt(SHARES[-1]))  # of the noise: the largest that is looked for
 MOST_OUTLIERS = 20  # named
-MOST_ZEROS = 5  # named
+MOST_RUNS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
@@ -57,9 +57,9 @@ def tip_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
     far = {run: way for run, way in away.items() if way > SET_UP["probe"]}
     if not far:
         return ()
-    rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
+    rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
     return (
-        f"{', '.join([*far][:MOST_ZEROS])}{rest}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
+        f"{', '.join([*far][:MOST_RUNS])}{rest}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
         "rotary axes turn. If these are of a sphere, a dimension (--known), the sense of an axis or a point in "
         "setup.toml is wrong, and the values are, too",
     )
@@ -191,8 +191,8 @@ def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
         far = sorted((run for run in of_run if abs(of_run[run]) > usual), key=lambda run: -abs(of_run[run]))
         if far:
             factor, unit = in_small(CLASSES[kind].unit)
-            named = [f"{run} by {of_run[run] * factor:.3g} {unit}" for run in far[:MOST_ZEROS]]
-            rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
+            named = [f"{run} by {of_run[run] * factor:.3g} {unit}" for run in far[:MOST_RUNS]]
+            rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
             yield (
                 f"the {kind} of {len(far)} of {len(of_run)} runs is larger than {usual * factor:.3g} {unit}: "
                 f"{', '.join(named)}{rest}; the estimate attributes that to the instrument, not to the machine"

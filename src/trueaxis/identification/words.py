@@ -1,6 +1,6 @@
 """What data leave open, in words."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.io.safe_text import plain_zero
+from trueaxis.machine.machine import ROTARY
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import Determined
 
@@ -20,6 +21,7 @@ RULE = (
     "determined by readings: the prior's part of u is below that of the readings, or below a tenth of what is expected "
     "without them (of ...); by the prior alone: u exceeds nine tenths of that; of curves the root mean squares count"
 )
+LEVEL = "least-squares lines of the straightness are level (ISO 230-1)"
 IN_COMBINATION = "known only in combination (before the convention separates straightness and squareness)"
 NOTHING = 1e-6  # of the other part of u: rounding
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
@@ -35,6 +37,13 @@ class Share:
 
     def __str__(self) -> str:
         return f"{self.value:+.4g} {self.unit} of {self.what}"
+
+
+def level_rule(axes: Iterable[str]) -> str:
+    """What parts squareness from straightness on a machine of these axes."""
+    return (
+        f"{LEVEL}, but for those whose slope a rotary axis tells from squareness" if set(axes) & set(ROTARY) else LEVEL
+    )
 
 
 def together(shares: Sequence[Share]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -43,6 +44,11 @@ class LegendreBasis:
         """(m,): positions evenly over the range, `least` of them, more where harmonics are finer than that."""
         of_waves = int(A_WAVE * self.harmonics * (self.high - self.low) / TURN)
         return np.linspace(self.low, self.high, max(least, of_waves + 1))
+
+    @property
+    def form(self) -> Literal["legendre", "turn"]:
+        """As files name it."""
+        return "turn" if self.harmonics else "legendre"
 
     @property
     def count(self) -> int:

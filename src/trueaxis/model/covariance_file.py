@@ -211,8 +211,8 @@ def _names(names: Sequence[Any]) -> tuple[str, ...]:
 
 def _basis_object(basis: Basis) -> dict[str, Any]:
     if isinstance(basis, LegendreBasis):
-        found = {"basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree, "home": basis.home}
-        return found | ({"basis": "turn", "harmonics": basis.harmonics} if basis.harmonics else {})
+        tree = {"basis": basis.form, "range": [basis.low, basis.high], "degree": basis.degree, "home": basis.home}
+        return tree | ({"harmonics": basis.harmonics} if basis.harmonics else {})
     if isinstance(basis, HatBasis):
         return {"basis": "table", "positions": list(basis.positions)}
     return {"basis": "polynomial", "powers": list(basis.powers)}

@@ -77,7 +77,7 @@ def curve_object(curve: Curve) -> dict[str, Any]:
         return found | _uncertainty_object(curve, order) | _measured(curve)
     if isinstance(curve, LegendreCurve):
         found = {
-            "basis": "turn" if curve.basis.harmonics else "legendre",
+            "basis": curve.basis.form,
             "range": [float(curve.basis.low), float(curve.basis.high)],
             **({"harmonics": curve.basis.harmonics} if curve.basis.harmonics else {}),
             "coefficients": [float(one) for one in curve.coefficients],
@@ -149,10 +149,12 @@ def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> Legendre
 
 def _harmonics(value: Any, path: JsonPath, faults: Faults) -> int:
     """How many; 0 where that is no number of harmonics."""
-    found = number(value, path, faults)
-    if math.isnan(found) or (found.is_integer() and 1 <= found <= MOST_TERMS // 2):
-        return 0 if math.isnan(found) else int(found)
-    faults.add(key_path(path), f"{found!r} is no number of harmonics", f"a whole number from 1 to {MOST_TERMS // 2}")
+    count = number(value, path, faults)
+    if count.is_integer() and 1 <= count <= MOST_TERMS // 2:
+        return int(count)
+    if not math.isnan(count):  # noted already
+        right = f"a whole number from 1 to {MOST_TERMS // 2}"
+        faults.add(key_path(path), f"{count!r} is no number of harmonics", right)
     return 0
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from trueaxis.error_name import ErrorName
 from trueaxis.identification.words import (
     DETERMINED_BY,
     IN_COMBINATION,
@@ -13,6 +14,7 @@ from trueaxis.identification.words import (
     combination_text,
     enumerated,
     in_small,
+    level_rule,
     parts_of_u,
     small,
     tool_sentence,
@@ -34,7 +36,6 @@ from trueaxis.planning.report import (
 WIDTH = 110
 STATES = {"silent": "no reading depends on it", "given": "given"}
 APART = "no run separates it from the errors of the machine: u would be a tenth or less if they were known"
-LEVEL = "least-squares lines of the straightness are level (ISO 230-1): the location errors take their slopes"
 
 
 def report_text(report: PlanReport) -> str:
@@ -83,8 +84,9 @@ def _expectations(found: Expectations) -> list[str]:
     lines += _errors(found.components)
     lines += _wrapped(RULE, "  ")
     if found.locations:
-        lines += ["", f"location errors: standard uncertainty (its parts and [prior]); {LEVEL}"]
-        lines[-1:] = _wrapped(lines[-1], "")
+        level = level_rule(ErrorName(one.name).axis for one in found.components)
+        what = f"location errors: standard uncertainty (its parts and [prior]); {level}"
+        lines += ["", *_wrapped(f"{what}: the location errors take their slopes", "")]
         lines += _errors(found.locations)
     lines += _effects(found.effects)
     lines += ["", f"{IN_COMBINATION}:" if found.combinations else f"{IN_COMBINATION}: nothing"]

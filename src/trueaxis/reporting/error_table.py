@@ -46,7 +46,7 @@ def _largest(
     if isinstance(curve, TableCurve):
         basis, positions = "table", np.array(curve.positions)
     elif isinstance(curve, LegendreCurve):
-        basis, positions = "turn" if curve.basis.harmonics else "legendre", curve.basis.evenly(SAMPLES)
+        basis, positions = curve.basis.form, curve.basis.evenly(SAMPLES)
     else:
         basis, at = "polynomial", curve.measured if machine is None else machine.travel[ErrorName(name).axis]
         if at is None:

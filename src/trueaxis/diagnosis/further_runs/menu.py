@@ -28,7 +28,8 @@ from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates
 HOUR = 3600.0
 SWING, WARMER = 3.0, 5.0  # K
 READING_S = 6.0  # of a laser or probe, with the way to the target
-ASIDE, SLANTED = 100.0, 0.5  # mm, across the motion of a line: where the motion has less than half of that direction
+ASIDE = 100.0  # mm: as far as an optic is easily moved on the tool, and its line beside it
+SLANTED = 0.5  # cosine of a motion and a direction, up to which the direction is across the motion
 IRREGULAR = 0.4  # of the distance of two targets, by which each is moved at most
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 FEEDS = 4.0  # ratio of another feed to the one at hand

@@ -252,7 +252,8 @@ def given_by_chance(model: MachineModel, base: Base, covariance: Covariance) -> 
     home = home_of(model)
     for name, basis in zip(covariance.components, covariance.bases, strict=True):
         if name in base.bases:
-            at, own = np.linspace(*model.travel[name.axis], PLACES), base.bases[name]
+            own = base.bases[name]
+            at = own.evenly(PLACES)
             curves = (basis(at) - basis(home[model.axes.index(name.axis)])).T @ steps[covariance.rows_of(name)]
             found[names == name] = np.linalg.lstsq(own(at).T, curves, rcond=None)[0]
     start = sum(basis.count for basis in covariance.bases)
