@@ -140,7 +140,8 @@ def _of_machine(layout: Layout, sensitivity: FloatArray, positions: FloatArray, 
     for name, basis, first in zip(layout.components, layout.bases, offsets.tolist(), strict=False):
         axis = model.axes.index(name.axis)
         if (axis, basis) not in cache:
-            cache[axis, basis] = basis(positions[axis])
+            at = positions[axis]
+            cache[axis, basis] = basis(at[:1] if (at == at[0]).all() else at)  # most axes of a line stand
         scaled = sensitivity[model.components.index(name)] * layout.sizes[first]
         np.multiply(scaled, cache[axis, basis], out=into.T[first : first + basis.count])
     start = len(model.components)

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import block_diag
 from scipy.sparse import csr_array, hstack
 
-from trueaxis.diagnosis.null_model.by_run import ByRun, by_run
+from trueaxis.diagnosis.null_model.by_run import ByRun, beside, by_run
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.error_name import ErrorName
@@ -178,7 +178,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     kinds = tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs)
     balls = _balls_of_set_ups(rows, runs)
     of_balls = [_of_balls(balls, one, *of) for one, of in zip(runs, zip(own, kinds, strict=True), strict=True)]
-    everything = by_run(_few_of_run(one) for one in parts).beside(np.vstack(of_balls))
+    everything = by_run(beside(map(_few_of_run, parts), of_balls))
     shared = [*layout.shared, *balls]
     chance = np.zeros(layout.of_machine + len(shared), dtype=bool)
     chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in shared]

@@ -1,4 +1,4 @@
-"""Columns of all readings, in each run combinations of a few (`estimation.few`)."""
+"""Columns of all readings, in each run combinations of a few (`estimation.factors`)."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -73,13 +73,7 @@ class ByRun:
 
     def beside(self, columns: FloatArray) -> "ByRun":
         """With further columns (n, k)."""
-        further, k = np.split(columns, self.starts[1:-1]), columns.shape[1]
-        return by_run(
-            [
-                (np.hstack([few, more]), block_diag(weights, np.eye(k)))
-                for (few, weights), more in zip(self.parts(), further, strict=True)
-            ]
-        )
+        return by_run(beside(self.parts(), np.split(columns, self.starts[1:-1])))
 
     def whitened(self, whiten: Whitening) -> "ByRun":
         """Made independent; of what a run's own unknowns hold rounding alone would be left."""
@@ -110,6 +104,14 @@ class ByRun:
     def parts(self) -> Iterator[tuple[FloatArray, FloatArray]]:
         """Few (m, r) and weights (r, p) of each run."""
         return zip(self.few, (self.weights[first:last] for first, last in pairwise(self.ends)), strict=True)
+
+
+def beside(
+    parts: Iterable[tuple[FloatArray, FloatArray]], further: Iterable[FloatArray]
+) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Columns (m, r) and weights (r, p) of each run with further columns (m, k) of each."""
+    for (columns, weights), more in zip(parts, further, strict=True):
+        yield np.hstack([columns, more]), block_diag(weights, np.eye(more.shape[1]))
 
 
 def by_run(parts: Iterable[tuple[FloatArray, FloatArray]]) -> ByRun:

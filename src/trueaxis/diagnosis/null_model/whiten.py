@@ -8,10 +8,11 @@ instrument do.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
-from trueaxis.diagnosis.null_model.rows import runs_among
+from trueaxis.diagnosis.null_model.rows import as_slice, runs_among
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.estimation.noise import BLOCK, Noise
 from trueaxis.estimation.noise import Whitening as OfOneRun
@@ -20,6 +21,8 @@ SETTLED = 0.2  # of the duration of a run: its time constant of settling
 MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
 AS_FREE = 1e4  # standard deviations of the noise: a drift as large is free, and a covariance still has its inverse
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
+# entries of a run's columns, below which all runs are whitened at once: the calls for each take longer than the work
+SMALL = 500
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
 
@@ -94,7 +97,7 @@ class _OfRun:
         return columns
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Whitening:
     """Inverse root of the covariance, one block per run. starts: (n_runs + 1,), first row of each run; runs: noise of
     each, in their order; own: (n_r, k) of each, columns of its own unknowns, mm.
@@ -123,8 +126,11 @@ class Whitening:
     def part(self, rows: IntArray, columns: FloatArray) -> FloatArray:
         """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs, or none."""
         flat = columns if columns.ndim == 2 else columns[:, np.newaxis]
+        runs = list(runs_among(self.starts, rows))
+        if len(runs) > 1 and flat.size <= SMALL * len(runs):
+            return self._at_once(rows, runs, flat).reshape(columns.shape)
         found = np.empty(flat.shape, order="F")
-        for place, here in runs_among(self.starts, rows):
+        for place, here in runs:
             found[here] = self.of_run(place, flat[here])
         return found.reshape(columns.shape)
 
@@ -161,6 +167,32 @@ class Whitening:
         if held.any():
             found[:, held] = 0.0
         return found
+
+    def _at_once(self, rows: IntArray, runs: Sequence[tuple[int, slice]], columns: FloatArray) -> FloatArray:
+        """(n_rows, k): columns of several runs whitened. runs: places and rows among these."""
+        places, first = [place for place, _ in runs], [here.start for _, here in runs]
+        found = self.alone(places, columns)
+        aside, share, sigma = self._padded
+        aside, share, sizes = aside[as_slice(rows)], share[places], np.diff([*first, rows.size])
+        squares = np.add.reduceat(columns**2, first)
+        for k, column in enumerate(found.T):
+            inside = share * np.add.reduceat(aside * column[:, np.newaxis], first)
+            found[:, k] -= np.einsum("ij,ij->i", aside, np.repeat(inside, sizes, axis=0))
+        held = np.add.reduceat(found**2, first) <= (RANK / sigma[places, np.newaxis]) ** 2 * squares
+        if held.any():
+            found[np.repeat(held, sizes, axis=0)] = 0.0
+        return found
+
+    @cached_property
+    def _padded(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """(n, k), what is taken away of each run, as many columns as it takes in any; (n_runs, k), its share; (n_runs,)
+        standard deviations.
+        """
+        each = [self._of(place) for place in range(len(self.runs))]
+        most = max(one.share.size for one in each)
+        aside = np.vstack([np.pad(one.aside, ((0, 0), (0, most - one.share.size))) for one in each])
+        share = np.array([np.pad(one.share, (0, most - one.share.size)) for one in each])
+        return aside, share, np.array([one.sigma for one in each])
 
     def aside(self, place: int) -> tuple[FloatArray, FloatArray]:
         """(m, k): orthonormal, what is taken away of one run after white and slow noise; (k,): its share."""
