@@ -268,6 +268,22 @@ def test_a_request_that_python_cannot_pass_on_is_made_again() -> None:
     assert (done.returncode, done.stderr) == (143, "")
 
 
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="a signal is raised at once where there are no timers")
+def test_a_compiled_library_that_looks_for_numpy_is_not_disturbed() -> None:
+    """It panics, and says so, where it cannot ask NumPy for its version."""
+    code = (
+        "import os, re, signal, sys, time\nfrom trueaxis.stopping import Stopped, stoppable\n"
+        "import numpy.lib._version as version\n"
+        "class Stops:\n  def match(self, *_):\n    os.kill(os.getpid(), signal.SIGTERM)\n"
+        "    time.sleep(0.01)\n    print('asked', flush=True)\n    return re.match(r'.*', '1.0.0')\n"
+        "version.re = Stops()\n"
+        "try:\n  with stoppable():\n    version.NumpyVersion('1.0.0')\n    time.sleep(30.0)\n"
+        "except Stopped as stopped:\n  sys.exit(stopped.code)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=20.0)
+    assert (done.returncode, done.stdout, done.stderr) == (143, "asked\n", "")
+
+
 SWALLOWS = """
 import time
 print("loading", flush=True)

@@ -8,6 +8,8 @@ from types import FrameType
 
 _LATER = 0.02  # s, after which a request that could not be met is made again
 _IMPORTING = "<frozen importlib"  # file of the frames of Python's imports
+# file of the frames in which a compiled library asks NumPy how old it is, when it first uses it (rust-numpy: it panics)
+_ASKED_ITS_VERSION = "numpy/lib/_version.py"
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")  # the last is not known to every system
 
 
@@ -44,7 +46,7 @@ def stoppable() -> Iterator[None]:
         stop_now(number, frame)
 
     def stop_now(_: int, frame: FrameType | None) -> None:
-        if hasattr(signal, "setitimer") and _imports(frame):
+        if hasattr(signal, "setitimer") and _cannot_pass_on(frame):
             stop_later()
         else:
             raise Stopped(asked[0])
@@ -80,10 +82,11 @@ def stoppable() -> Iterator[None]:
         sys.unraisablehook = told_before
 
 
-def _imports(frame: FrameType | None) -> bool:
-    """Whether a module is being imported where the program is."""
+def _cannot_pass_on(frame: FrameType | None) -> bool:
+    """Whether a library is being set up where the program is, a module imported or NumPy found by a compiled one."""
     while frame is not None:
-        if frame.f_code.co_filename.startswith(_IMPORTING):
+        file = frame.f_code.co_filename.replace("\\", "/")
+        if file.startswith(_IMPORTING) or file.endswith(_ASKED_ITS_VERSION):
             return True
         frame = frame.f_back
     return False

@@ -214,3 +214,21 @@ def test_turns_that_no_machine_needs_are_refused(tmp_path: Path, capsys: pytest.
     assert main([*words, "--orientation", "correct", "--max-correction", "100", *KERNELS]) == 1
     assert "a rotary axis would be corrected by 16" in capsys.readouterr().out
     assert not (tmp_path / "o.nc").exists()
+
+
+def test_a_shift_of_all_words_that_is_hardly_known_is_said_and_refused_under_a_limit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A squareness tilts the spindle, which displaces the tip of a long tool everywhere, at home too: u from there is
+    small. Counted from a datum that was touched off with the same tool it is no part of the words.
+    """
+    errors = written(tmp_path, parameters={"eps_yz": 1e-4}, u={"eps_yz": 8e-5})
+    options = ("--tool-point=0,0,-200", "--offset", "G54=X20,Y20,Z20", "--max-u", "0.015")
+    program = "G21 G90 G17 G54\nG0 X0. Y0. Z0.\nG1 X20. Y10. Z-10. F1000\nM2\n"
+    assert compensate(tmp_path, errors, *options, program=program) == 1
+    said = capsys.readouterr().out
+    assert "WARNING: every word holds the displacement at home, 20 um, which is known to" in said
+    assert "uncertainty is 16 um, where --max-u allows 15 um: say --touched-off" in said
+    assert not (tmp_path / "out.nc").exists()
+    assert compensate(tmp_path, errors, *options, "--touched-off", "G54", program=program) == 0
+    assert "WARNING" not in capsys.readouterr().out

@@ -184,6 +184,30 @@ def test_the_advice_has_the_length_of_the_first_tool(bench: Bench) -> None:
     assert "say --touched-off G54=L80, the length being that of the tool which the program uses first" in bench.told
 
 
+def test_the_advice_has_the_rotary_position_in_which_an_offset_is_used(bench: Bench) -> None:
+    """Of every indexed face: the displacement of the datum is that of the table as it stands there."""
+    machine = exact("table-table", 3)
+    zero = {"X": 20.0, "Y": -30.0, "Z": 40.0, "A": 0.0, "C": 0.0}
+    offsets = Offsets({name: {axis: (at, at) for axis, at in zero.items()} for name in ("G54", "G55")})
+    face = "G0 X0. Y0. Z50. A0. C{}.\nG1 Z0. F200\nX20.\nG0 Z50.\n"
+    program = f"G21 G90 G17 G54\n{face.format(0)}G55\n{face.format(90)}M30\n"
+    bench.run(program, machine.model, offsets=offsets)
+    assert "say --touched-off G54, with L120" in bench.told
+    assert "say --touched-off G55=C90, C being where the program first cuts with it" in bench.told
+    found = {use.system: np.array(use.zero.off) for use in bench.report.offsets}
+    for system, turned in (("G54", 0.0), ("G55", 90.0)):
+        at = np.array([*list(zero.values())[:4], turned])
+        off = tip(machine, at, 0.0) - tip(machine, at, 0.0, ideal=True)
+        assert found[system] == pytest.approx(off, abs=1e-5)
+    apart = 1e3 * float(np.linalg.norm(found["G54"] - found["G55"]))
+    assert "WARNING: G54, G55: if they were touched off without compensation, what is machined from one" in bench.told
+    assert f"by {apart:.3g} um from G54 to G55" in bench.told
+    bench.run(
+        program, machine.model, offsets=offsets, touched_off=tuple(map(touched_off_of_option, ("G54", "G55=C90")))
+    )
+    assert "WARNING" not in bench.told
+
+
 def test_the_sign_check_is_of_the_machine_whatever_the_datum(bench: Bench) -> None:
     machine = paper_sized(3.0)
     program = "G21 G90 G54\nG0 X0. Y0. Z0.\nG1 X300. Y200. Z100. F100\n"

@@ -55,7 +55,9 @@ def right_or_refused(source: bytes, language: str) -> None:
             faults = error.faults
         if faults:
             assert all(fault.problem for fault in faults)
-            assert all(re.match(r"lines? \d", fault.place) for fault in faults[:49])
+            # of all blocks together that leave the travel no line is named; each is, besides
+            blocks = [fault for fault in faults[:49] if not re.search(r"reaches .* outside$", fault.problem)]
+            assert all(re.match(r"lines? \d", fault.place) for fault in blocks)
             assert not bench.out.exists()
             return
         marked = int(without_mark(bench.out.read_bytes()) != bench.out.read_bytes())

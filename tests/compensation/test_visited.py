@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
-from trueaxis.compensation.reliance import FINEST, MOST_CELLS, Visited
+from trueaxis.compensation.visited import FINEST, MOST_CELLS, Visited
 from trueaxis.model.model import MachineModel, load_model
 
 
@@ -41,6 +41,16 @@ def test_nothing_visited_is_nothing(model: MachineModel) -> None:
     visited.add(np.zeros((3, 0)), np.zeros((3, 0)), np.zeros((3, 0)))
     assert visited.positions.shape == (3, 0)
     assert visited.ends.shape == (3, 0)
+
+
+def test_it_knows_where_it_first_came_to_by_feed(model: MachineModel) -> None:
+    visited, unknown = Visited(model, np.zeros((3, 1))), np.full((3, 2), np.nan)
+    visited.add(unknown, np.array([[1.0, 2.0], [0.0, 0.0], [0.0, 0.0]]), np.zeros((3, 2)), np.array([False, False]))
+    assert visited.first_fed is None
+    visited.add(unknown, np.array([[3.0, 4.0], [0.0, 0.0], [0.0, 0.0]]), np.zeros((3, 2)), np.array([False, True]))
+    visited.add(unknown, np.array([[5.0, 6.0], [0.0, 0.0], [0.0, 0.0]]), np.zeros((3, 2)))
+    assert visited.first_fed is not None
+    assert visited.first_fed.tolist() == [4.0, 0.0, 0.0]
 
 
 def test_a_long_motion_passes_through_every_cell_of_its_way(model: MachineModel) -> None:

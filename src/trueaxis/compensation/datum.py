@@ -8,7 +8,7 @@ place of the workpiece, which it keeps whichever way a rotary table turns it.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -102,13 +102,15 @@ _SEEN = 0.0005  # mm: half of what is usually the last digit of a work offset
 class Zero:
     """Where a work offset's zero truly is. off: deviation of the tool point, X Y Z of the workpiece frame, mm, where it
     was touched off, if it was; else at its zero, at the machine position `at` (mm and deg; the place within the travel
-    next to it). length: of the tool that stood there, mm.
+    next to it). length: of the tool that stood there, mm; turned: rotary positions there that are not those of its
+    zero, deg.
     """
 
     touched_off: bool
     at: Mapping[str, float]
     off: tuple[float, float, float]
     length: float
+    turned: Mapping[str, float]
 
     def sentence(self, system: str) -> str:
         """What that means for the part."""
@@ -122,12 +124,16 @@ class Zero:
         if max(map(abs, self.off)) < _SEEN:
             return f"at the zero of {system} the error values displace the tool point by less than {_SEEN * 1e3:g} um"
         at = " ".join(f"{axis}{value:.9g}" for axis, value in self.at.items())
-        option = f"{OPTION} {system.replace(' ', '')}"
-        given = (
-            f"{option}=L{self.length:g}, the length being that of the tool which the program uses first: give that of "
-            "the probe or tool that touched it off"
+        values = [f"{axis}{value:.9g}" for axis, value in self.turned.items()]
+        values += [f"L{self.length:g}"] if self.length else []
+        given = f"{OPTION} {system.replace(' ', '')}{'=' * bool(values)}{','.join(values)}"
+        if self.turned:
+            given += f", {' '.join(self.turned)} being where the program first cuts with it: give where it was touched"
+        given += (
+            ", the length being that of the tool which the program uses first: give that of the probe or tool that "
+            "touched it off"
             if self.length
-            else f"{option}, with =L120 where it was a probe or tool of 120 mm from the point of --tool-point on"
+            else ", with L120 where it was a probe or tool of 120 mm from the point of --tool-point on"
         )
         return (
             f"at the zero of {system} ({at}) the error values displace the tool point by {named} um. If {system} was "
@@ -139,12 +145,14 @@ class Zero:
 @dataclass(frozen=True, slots=True)
 class Datum:
     """The datum of a work offset. touched: where it was touched off, nothing where it was not; tool_point: (3, 1), that
-    lengths are measured from; length: of the tool that the program uses with it first, mm.
+    lengths are measured from; length: of the tool that the program uses with it first, mm; turned: rotary positions at
+    which it first cuts with it, deg.
     """
 
     touched: Sequence[TouchedOff]
     tool_point: FloatArray
     length: float
+    turned: Mapping[str, float] = field(default_factory=dict)
 
     def moved(self, model: ErrorModel, value: Mapping[str, float], by: FloatArray) -> FloatArray:
         """By how much further off the true zero lies where the zero is moved by (n_axes,), mm and deg; (3, 1), mm."""
@@ -160,14 +168,15 @@ class Datum:
 
     def zero(self, model: ErrorModel, value: Mapping[str, float]) -> Zero:
         """Where it truly is."""
-        one = TouchedOff(system="", length=self.length)
+        turned = {axis: at for axis, at in self.turned.items() if at != value.get(axis, 0.0)}
+        one = TouchedOff(system="", length=self.length, place=turned)
         at = np.array(one.position(model.axes, value))
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         at = np.clip(at, low, high)
         place = dict(zip(model.axes, at.tolist(), strict=True))
         touched = self.touched or [TouchedOff(system="", length=self.length, place=place)]
         x, y, z = datum_shift(model, touched, value, self.tool_point)[:, 0].tolist()
-        return Zero(touched_off=bool(self.touched), at=place, off=(x, y, z), length=self.length)
+        return Zero(touched_off=bool(self.touched), at=place, off=(x, y, z), length=self.length, turned=turned)
 
     def _shift(self, model: ErrorModel, zero: Mapping[str, float]) -> FloatArray:
         return datum_shift(model, self.touched, zero, self.tool_point)

@@ -20,7 +20,6 @@ from trueaxis.compensation.move_notes import note_moves
 from trueaxis.compensation.moves import Between, Item, KeptHole, Notes, Setup, Zero
 from trueaxis.compensation.nc.kept_holes import BOTTOM, TOP, check_travel, drilled
 from trueaxis.compensation.path import Held, MoveTable, Path, Places, follows_at_once, standing
-from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import Changes, CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import Solved, ToolAxis, solve, solve_pose
@@ -28,6 +27,7 @@ from trueaxis.compensation.subdivide import Along, Batch, PointAlong, PoseAlong,
 from trueaxis.compensation.tally import Tally
 from trueaxis.compensation.tools import tool_point_of
 from trueaxis.compensation.tracker import Tracker, acting
+from trueaxis.compensation.visited import Visited
 from trueaxis.compensation.writer import BlockWriter
 
 FEW_ROTARY_AXES = (

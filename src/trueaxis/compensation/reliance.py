@@ -1,186 +1,25 @@
-"""Which positions a program visits, how far it is corrected there, and how far it relies on what was measured: bounded,
-however long it is.
-"""
+"""How far a program relies on what was measured, and whether it may be written."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import product
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from trueaxis.compensation.columns import columns_of
-from trueaxis.compensation.machine import ROTARY, ErrorModel, FloatArray, Place, linear_rows, rotary_rows
+from trueaxis.compensation.machine import ROTARY
 from trueaxis.compensation.solve import SINGULAR
+from trueaxis.compensation.visited import Visited
 from trueaxis.model.covariance import Covariance
+from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, table_positions, uncertainty_extent
 from trueaxis.model.measured_range import BeyondMeasured, beyond_measured
 from trueaxis.model.model import MachineModel, home_of
-from trueaxis.model.uncertainty import prior_size
-
-MOST_CELLS = 8000  # of a program: u at so many positions takes about half a second
-# Errors do not differ within a cell of these, half a millimetre of a travel of 500 mm.
-FINEST = 1024  # cells along an axis; a power of two: halves are whole
-MOST_SAMPLES = 500_000  # along the motions of one batch: 30 MB
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class _Cells:
-    """keys: (m,), which cells; position: (n_axes, m), mm or deg, where the correction (m,) is largest in each; low,
-    high: (n_axes, m), what the axes pass within it.
-    """
-
-    keys: npt.NDArray[np.int64]
-    position: FloatArray
-    correction: FloatArray
-    low: FloatArray
-    high: FloatArray
-
-    @classmethod
-    def none(cls, axes: int) -> "_Cells":
-        """Nothing visited."""
-        empty = np.zeros((axes, 0))
-        return cls(keys=np.zeros(0, np.int64), position=empty, correction=np.zeros(0), low=empty, high=empty)
-
-    def each_once(self) -> "_Cells":
-        """With what was visited of the same cell together; of equal corrections the first stays."""
-        if not self.keys.size:
-            return self
-        stays = 2 * np.count_nonzero(np.diff(self.keys)) < self.keys.size  # a while in each cell, as most programs do
-        few = self._together(slice(None)) if stays else self
-        return few._together(np.argsort(few.keys, kind="stable"))
-
-    def _together(self, order: slice | npt.NDArray[np.int64]) -> "_Cells":
-        """In an order, with what stands side by side of the same cell together."""
-        keys, correction = self.keys[order], self.correction[order]
-        low, high = columns_of(self.low, order), columns_of(self.high, order)
-        first = np.flatnonzero(np.diff(keys, prepend=keys[0] - 1))
-        largest = np.maximum.reduceat(correction, first)
-        there = np.flatnonzero(correction == np.repeat(largest, np.diff(first, append=keys.size)))
-        chosen = there[np.searchsorted(there, first)]
-        return _Cells(
-            keys=keys[first], correction=largest,
-            position=columns_of(self.position, chosen if isinstance(order, slice) else order[chosen]),
-            low=np.minimum.reduceat(low, first, axis=1), high=np.maximum.reduceat(high, first, axis=1),
-        )  # fmt: skip
-
-    def and_later(self, later: "_Cells") -> "_Cells":
-        """Together with what was visited later."""
-        names = ("keys", "position", "correction", "low", "high")
-        return _Cells(**{name: np.hstack([getattr(self, name), getattr(later, name)]) for name in names}).each_once()
-
-
-class Visited:
-    """Cells that a program comes to or passes through, each with a position of the program in it. They are as small as
-    their bounded number allows: axes that stand still make no cells.
-
-    tool_point: the one that came there, (3, 1), mm, tool frame. largest_turn: the largest correction of a rotary axis,
-    deg, at the programmed position `turned_at`, (n_axes,). datum: from where corrections count; None: home.
-    """
-
-    def __init__(self, model: ErrorModel, tool_point: FloatArray, datum: Place | None = None) -> None:
-        self.tool_point, self.datum = tool_point, datum
-        self._linear, self._rotary = list(linear_rows(model.axes)), list(rotary_rows(model.axes))
-        low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
-        self._low = low[:, np.newaxis]
-        self._travel = np.maximum(high - low, 1e-9)[:, np.newaxis]
-        self._each = FINEST
-        count = len(model.axes)
-        self._cells = _Cells.none(count)
-        self._lowest, self._highest = np.full(count, np.inf), np.full(count, -np.inf)
-        self._directions = np.array([*np.eye(count), *-np.eye(count), *product((-1.0, 1.0), repeat=count)])
-        self._farthest = np.zeros((count, 0))
-        self.largest_turn, self.turned_at = 0.0, low
-
-    def add(self, origins: FloatArray, positions: FloatArray, moved: FloatArray) -> None:
-        """Note motions from origins to positions, (n_axes, n), mm or deg, and what their ends are corrected by.
-
-        An origin that is not known is NaN.
-        """
-        if positions.shape[1] == 0:
-            return
-        self._lowest = np.minimum(self._lowest, positions.min(axis=1))
-        self._highest = np.maximum(self._highest, positions.max(axis=1))
-        candidates = np.hstack([self._farthest, positions])
-        self._farthest = candidates[:, np.argmax(self._directions @ (candidates / self._travel), axis=1)]
-        turns = np.abs(moved[self._rotary]).max(axis=0, initial=0.0)
-        if turns.max() > self.largest_turn:
-            self.largest_turn, self.turned_at = float(turns.max()), positions[:, int(np.argmax(turns))]
-        corrections = np.sqrt((moved[self._linear] ** 2).sum(axis=0))
-        way = np.where(np.isnan(origins), 0.0, positions - origins)
-        while (parts := self._parts(way)).sum() > MOST_SAMPLES and self._each > 1:
-            self._halve()
-        if parts.max() > 1:
-            begin = np.cumsum(parts) - parts
-            share = (np.arange(parts.sum()) - np.repeat(begin, parts)) / np.repeat(parts, parts)
-            ends, corrections = corrections, np.zeros(share.size)
-            corrections[begin] = ends
-            positions = np.repeat(positions, parts, axis=1) - share * np.repeat(way, parts, axis=1)
-            way = np.repeat(way / parts, parts, axis=1)
-        self._note(positions, way, corrections)
-        while self._cells.keys.size > MOST_CELLS:
-            self._halve()
-
-    def _parts(self, way: FloatArray) -> npt.NDArray[np.int64]:
-        """(n,): into how many motions are divided: each shorter than a cell, so that none is passed over along the axis
-        that passes most of them.
-        """
-        return np.asarray(np.abs(way / self._travel).max(axis=0) * self._each, dtype=np.int64) + 1
-
-    def _note(self, positions: FloatArray, step: FloatArray, corrections: FloatArray) -> None:
-        """Note positions (n_axes, n) that are reached by a step (n_axes, n)."""
-        before = positions - step
-        place = np.clip(((positions - self._low) / self._travel * self._each).astype(np.int64), 0, self._each - 1)
-        found = _Cells(
-            keys=self._strides @ place, position=positions, correction=corrections,
-            low=np.minimum(positions, before), high=np.maximum(positions, before),
-        )  # fmt: skip
-        self._cells = self._cells.and_later(found.each_once())
-
-    def _halve(self) -> None:
-        """Make cells twice as long along every axis."""
-        place = self._cells.keys // self._strides[:, np.newaxis] % self._each // 2
-        self._each //= 2
-        self._cells = replace(self._cells, keys=self._strides @ place).each_once()
-
-    @property
-    def _strides(self) -> npt.NDArray[np.int64]:
-        return self._each ** np.arange(self._lowest.size, dtype=np.int64)
-
-    @property
-    def positions(self) -> FloatArray:
-        """(n_axes, m): for each cell where its largest correction is, mm or deg."""
-        return self._cells.position
-
-    @property
-    def corrections(self) -> FloatArray:
-        """(m,): the largest correction in each cell, mm."""
-        return self._cells.correction
-
-    @property
-    def ends(self) -> FloatArray:
-        """(n_axes, 2): lowest and highest position of each axis, mm or deg; nothing visited: (n_axes, 0)."""
-        if not self._cells.keys.size:
-            return np.zeros((self._lowest.size, 0))
-        return np.stack([self._lowest, self._highest], axis=1)
-
-    def samples(self, nodes: Sequence[Sequence[float]]) -> FloatArray:
-        """(n_axes, k), mm or deg: positions of the program: one of each cell, those farthest out, and where it passes
-        nodes: of each axis, positions at which curves may have what they have nowhere else.
-        """
-        return np.hstack([self.positions, self._farthest, *self._at_nodes(nodes)])
-
-    def _at_nodes(self, nodes: Sequence[Sequence[float]]) -> Iterator[FloatArray]:
-        for row, of_axis in enumerate(nodes):
-            for node in of_axis:
-                at = self.positions[:, (self._cells.low[row] <= node) & (node <= self._cells.high[row])]
-                at[row] = node
-                yield at
-
+from trueaxis.model.uncertainty import prior_size, tool_uncertainty
 
 # Corrections that the prior makes likely: three standard deviations. What is larger comes from a slip (um for mm, a
 # sign, another machine's values) far more often than from a machine.
 PRIOR_SIZES = 3.0
+NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
+KNOWN = 2.0  # standard uncertainties, from which on a displacement is more than what it is uncertain by
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -201,7 +40,8 @@ class Reliance:
     range (places, not blocks, are counted). largest_correction and allowed_correction (None where nothing moves), mm,
     at `correction_at` (axis positions, mm and deg), where the first is the largest share of the second. largest_turn,
     allowed_turn: of a rotary axis, deg, and where (None where none turns). at_home: by how much the errors displace the
-    tool point at home, mm; 0 from another datum. too_uncertain, too_large: which limit is passed; nothing is written.
+    tool point at home, and with it every word, mm; 0 from another datum; at_home_u: the largest standard uncertainty of
+    a coordinate of that, 0 where it is not known. too_uncertain, too_large: which limit is passed; nothing is written.
     """
 
     uncertainty: UncertaintyExtent
@@ -213,8 +53,14 @@ class Reliance:
     allowed_turn: float | None
     turned_at: dict[str, float]
     at_home: float
+    at_home_u: float
     too_uncertain: bool
     too_large: bool
+
+    @property
+    def shift_is_noise(self) -> bool:
+        """Whether all words are displaced by what readings hardly tell."""
+        return NOTICEABLE < self.at_home < KNOWN * self.at_home_u
 
     @property
     def refused(self) -> bool:
@@ -245,6 +91,8 @@ def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Jud
             if visited.datum is not None:  # a correction is a difference, at most as large as both together
                 allowed += PRIOR_SIZES * prior_size(model, visited.datum[1], tool_point)
         worst = int(np.argmax(corrections / allowed)) if corrections.size else None
+        at_home, at_home_u = (0.0, 0.0) if visited.datum is not None else _at_home(model, covariance, tool_point)
+        shifted = limits.max_u is not None and at_home > NOTICEABLE and at_home_u > limits.max_u
         return Reliance(
             uncertainty=extent,
             beyond=beyond_measured(model.errors, model.axes, np.hstack([positions, visited.ends])),
@@ -254,13 +102,21 @@ def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Jud
             largest_turn=visited.largest_turn,
             allowed_turn=allowed_turn,
             turned_at=dict(zip(model.axes, visited.turned_at.tolist(), strict=True)),
-            at_home=float(np.linalg.norm(model.deviation(home_of(model), tool_point))) * (visited.datum is None),
-            too_uncertain=extent.refused(limits.max_u, limits.accept_u),
+            at_home=at_home,
+            at_home_u=at_home_u,
+            too_uncertain=extent.refused(limits.max_u, limits.accept_u) or shifted,
             too_large=(worst is not None and bool(corrections[worst] > allowed[worst]))
             or (allowed_turn is not None and visited.largest_turn > allowed_turn),
         )
 
     return judge
+
+
+def _at_home(model: MachineModel, covariance: Covariance, tool_point: FloatArray) -> tuple[float, float]:
+    """By how much the errors displace a tool point (3, 1) at home, and its u; mm."""
+    home = home_of(model)
+    u = tool_uncertainty(model, covariance, home, tool_point, datum=None).u
+    return float(np.linalg.norm(model.deviation(home, tool_point))), float(np.nan_to_num(u).max())
 
 
 def _worst(found: Sequence[Reliance]) -> Reliance:
@@ -284,6 +140,7 @@ def _worst(found: Sequence[Reliance]) -> Reliance:
         allowed_turn=turned.allowed_turn,
         turned_at=turned.turned_at,
         at_home=max(one.at_home for one in found),
+        at_home_u=max(one.at_home_u for one in found),
         too_uncertain=any(one.too_uncertain for one in found),
         too_large=any(one.too_large for one in found),
     )

@@ -15,7 +15,6 @@ from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlle
 from trueaxis.compensation.moves import Notes, Setup
 from trueaxis.compensation.nc.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
 from trueaxis.compensation.path import Path, Places
-from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import KinematicsChecker, SignChecker, senses_of
@@ -23,6 +22,7 @@ from trueaxis.compensation.solve import Solved, ToolAxis
 from trueaxis.compensation.tool_errors import NOTHING_KNOWN, CuttingPoses, Known, ToolErrors, tool_errors
 from trueaxis.compensation.tracker import EffectNote
 from trueaxis.compensation.used import datum_of, offsets_used, tools_used, unplaced
+from trueaxis.compensation.visited import Visited
 from trueaxis.compensation.word_choice import bar_error, length
 
 STAGES = ("before", "solved", "after", "along")
@@ -43,8 +43,8 @@ class Tally:
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._controlled: PointControlled | None = None
-        self._kinematics = KinematicsChecker(model.axes)
-        self._cutting = CuttingPoses()
+        self._kinematics, self._cutting = KinematicsChecker(model.axes), CuttingPoses()
+        self._silent = False  # whether some axis may not have been at the point before
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
@@ -53,8 +53,7 @@ class Tally:
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
         self._parked, self._holes = LineLog(), Running()
-        self._units: set[str] = set()
-        self._axes = model.axes
+        self._axes, self._units = model.axes, set[str]()
         self._elsewhere = Elsewhere(model.axes, settings)
 
     def setup(
@@ -101,8 +100,7 @@ class Tally:
         self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
         self._not_converged.add(lines[~solved.converged])
         stopped, parked = self._stopped(done, places, lines)
-        index = np.arange(path.size)
-        model = placing.at(index, np.ones(path.size))
+        model = placing.at(index := np.arange(path.size), np.ones(path.size))
         written = done.at_points(previous)
         known = Known(target=solved.linear.target, error=solved.linear.deviation)
         before = self._errors(model, path.points, path.points, known)
@@ -132,14 +130,19 @@ class Tally:
         self._along(path, done, lines, previous, settled, placing, places, at_ends)
 
     def _visit(self, path: Path, moved: FloatArray, lines: NDArray[np.int64], places: Places) -> None:
-        """Take in where the axes come to; moved: (n_axes, n_points), by how much the words move the points."""
+        """Take in where the axes come to; moved: (n_axes, n_points), by how much the words move the points. Not rapids
+        to where some axis may not be, which count in no figure, nor the way of a rapid from there.
+        """
+        silent = places.held.any(axis=0) & path.rapid
         origins, points = path.origins, path.points
         if self._controlled is not None:
             origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
             ends = np.diff(path.owner, append=-1) != 0
             self._kinematics.add(path.points, points, lines, ~ends | places.elsewhere.any(axis=0))
-        seen = ~places.unplaced if places.unplaced.any() else slice(None)
-        self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen])
+        from_there = path.rapid & np.append(self._silent, silent)[:-1]
+        self._silent = bool(silent[-1])
+        origins, seen = np.where(from_there, np.nan, origins), ~(silent | places.unplaced)
+        self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen], ~path.rapid[seen])
 
     def _stopped(
         self, done: Executed, places: Places, lines: NDArray[np.int64]
@@ -166,8 +169,8 @@ class Tally:
         self._vector["after"].add(after[[MIDDLE]], lines[:1])
         self._over_tolerance.add(lines[:1][~(after[[MIDDLE]] <= self._settings.allowed(inch))])
         self._holes.add(after[[TOP, BOTTOM]].max(keepdims=True), lines[:1])
-        origins = np.full_like(found.programmed, np.nan)
-        self.visited[self._setup].add(origins, found.programmed, found.words - found.programmed)
+        at = found.programmed
+        self.visited[self._setup].add(np.full_like(at, np.nan), at, found.words - at)
 
     def _at_points(
         self,

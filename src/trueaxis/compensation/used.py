@@ -6,12 +6,12 @@ import numpy as np
 
 from trueaxis.compensation.datum import Datum
 from trueaxis.compensation.elsewhere import OffsetUse, offset_use, unplaced_change
-from trueaxis.compensation.machine import ErrorModel, FloatArray, Place
+from trueaxis.compensation.machine import ErrorModel, FloatArray, Place, rotary_rows
 from trueaxis.compensation.moves import Setup
-from trueaxis.compensation.reliance import Visited
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.compensation.touched_off import TouchedOff
+from trueaxis.compensation.visited import Visited
 
 
 def tools_used(visited: Mapping[Setup, Visited]) -> tuple[ToolUse, ...]:
@@ -28,13 +28,20 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
     """The work offsets under which the program moved."""
     used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
     lengths: dict[str, float] = {}  # of the first tool under each whose length counts
+    turned: dict[str, dict[str, float]] = {}  # where rotary axes stand at the first feed motion under each
     tools = {} if settings.tools is None else settings.tools.tools
     for setup, one in visited.items():
         if setup.system and one.positions.size:
             used.setdefault(setup._replace(tool=None, point_control=False), []).append((one.positions, one.tool_point))
             if (tool := tools.get(setup.tool or 0)) is not None:
                 lengths.setdefault(setup.system, tool.shift[2])
+            if (at := one.first_fed) is not None:
+                turned.setdefault(setup.system, {model.axes[row]: float(at[row]) for row in rotary_rows(model.axes)})
     point = np.array(settings.tool_point, dtype=np.float64)[:, np.newaxis]
+
+    def datum(system: str) -> Datum:
+        return Datum(_touched(system, settings), point, lengths.get(system, 0.0), turned.get(system, {}))
+
     return tuple(
         offset_use(
             model,
@@ -42,7 +49,9 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
             setup.system,
             dict(zip(model.axes, setup.values, strict=True)),
             np.array(setup.spread),
-            Datum(_touched(setup.system, settings), point, lengths.get(setup.system, 0.0)),
+            Datum(
+                _touched(setup.system, settings), point, lengths.get(setup.system, 0.0), turned.get(setup.system, {})
+            ),
         )
         for setup, places in used.items()
     )

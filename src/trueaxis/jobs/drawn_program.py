@@ -8,9 +8,10 @@ import polars as pl
 
 from trueaxis.compensation.course import Placed
 from trueaxis.compensation.machine import FloatArray, linear_jacobian
-from trueaxis.compensation.reliance import Judge, Reliance, Visited
+from trueaxis.compensation.reliance import Judge, Reliance
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import solve
+from trueaxis.compensation.visited import Visited
 from trueaxis.jobs.draws import MOST_POINTS, Show, drawn
 from trueaxis.jobs.tables import Tabular
 from trueaxis.measurement.points import TOOL_COLUMNS

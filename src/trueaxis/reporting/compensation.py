@@ -10,6 +10,7 @@ from trueaxis.compensation.report import CompensationReport, Errors, Failure
 from trueaxis.compensation.settings import LEAST_INCH, MM_PER_INCH
 from trueaxis.compensation.tools import ToolUse
 from trueaxis.reporting.compensation_checks import kinematics_text, position_text, senses_text, sign_check_text
+from trueaxis.reporting.compensation_warnings import warnings_of
 
 _LINES_NAMED = 10
 _FAILURES: dict[Failure, str] = {
@@ -37,7 +38,7 @@ def compensation_text(report: CompensationReport) -> str:
         + (f", {report.short_blocks} passed in short blocks" if report.short_blocks else "")
         + (f", {report.take_ups} blocks that take up reversals" if report.take_ups else ""),
         *([f"not good, exit code 1: {failure_text(report)}"] if report.failures and not report.refused else []),
-        *(f"WARNING: {warning}" for warning in (*_unplaced(report), *_hardly_known(report), *report.warnings)),
+        *(f"WARNING: {warning}" for warning in warnings_of(report)),
         *_errors(report),
         *_troubles(report),
         *_places(report),
@@ -61,31 +62,6 @@ def compensation_text(report: CompensationReport) -> str:
     steps = ", ".join(f"{k}: {n} points" for k, n in enumerate(report.iterations) if n)
     lines.append(f"method {settings.method}, words {settings.words}, {_resolution(report)}; corrections made: {steps}")
     return "\n".join(lines)
-
-
-def _unplaced(report: CompensationReport) -> list[str]:
-    """That positions count as machine coordinates, and what it may cost."""
-    if report.unplaced is None:
-        return []
-    return [
-        "no work offset is given or selected: positions count as machine coordinates. If the control is in G54 or in "
-        "another work offset all the same, as most are where a program says nothing, compensated positions are wrong "
-        f"by up to {report.unplaced:.4f} mm (its zero anywhere in the travel). Say --offset G54=X..,Y..,Z.. (10 mm are "
-        "near enough), or G54=X0,Y0,Z0 where they are machine coordinates"
-    ]
-
-
-def _hardly_known(report: CompensationReport) -> list[str]:
-    """That the values say less of the tool point than they correct."""
-    known = None if report.reliance is None else report.reliance.uncertainty
-    if known is None or report.before is None or not known.largest_u > report.before.largest:
-        return []
-    rests = known.largest_u_prior is not None and known.largest_u_prior > 0.5 * known.largest_u
-    why = "what no reading tells rests on [prior] of the spec, and is left as it is" if rests else "measure more"
-    return [
-        f"the tool point is known to a standard uncertainty of {1e3 * known.largest_u:.3g} um only (from "
-        f"{known.datum}, in one coordinate), and at most {1e3 * report.before.largest:.3g} um are corrected: {why}"
-    ]
 
 
 def _resolution(report: CompensationReport) -> str:

@@ -5,7 +5,7 @@ from math import isfinite
 
 import numpy as np
 
-from trueaxis.compensation.reliance import Reliance
+from trueaxis.compensation.reliance import NOTICEABLE, Reliance
 from trueaxis.io.safe_text import plain_zero
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.best_fit import Placement
@@ -16,7 +16,6 @@ from trueaxis.model.measured_range import BeyondMeasured
 from trueaxis.monte_carlo.drawn import QUANTITIES, Drawn
 
 _CONTINUED = "no reading supports the curve there"
-NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
 
 
 def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
@@ -156,7 +155,8 @@ def program_sentences(reliance: Reliance) -> list[str]:
         )
     if reliance.at_home > NOTICEABLE:
         found.append(
-            f"at home the error values displace this tool point by {_um(reliance.at_home)}, which compensation "
+            f"at home the error values displace this tool point by {_um(reliance.at_home)}"
+            f"{f' (u {_um(reliance.at_home_u)})' if reliance.at_home_u else ''}, which compensation "
             "corrects as well; a work offset that was touched off without compensation does not know of it: see what "
             "is said of the zero of each work offset"
         )
@@ -182,8 +182,14 @@ def program_sentences(reliance: Reliance) -> list[str]:
 def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
     """Why a program was not written; max_u: the limit that was asked for, mm."""
     found = []
-    if reliance.too_uncertain:
+    if reliance.too_uncertain and (max_u is None or reliance.uncertainty.counted > max_u):
         found.append(uncertain_sentence(reliance.uncertainty, max_u))
+    elif reliance.too_uncertain and max_u is not None:
+        found.append(
+            f"every word holds the displacement at home, {_um(reliance.at_home)}, and its standard uncertainty is "
+            f"{_um(reliance.at_home_u)}, where --max-u allows {_um(max_u)}: say --touched-off of each work offset that "
+            "was touched off, and it is left out"
+        )
     turned = reliance.allowed_turn is not None and reliance.largest_turn > reliance.allowed_turn
     if turned and reliance.allowed_turn is not None:
         found.append(
