@@ -10,10 +10,13 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import parameter_signature
+from trueaxis.diagnosis.extend import named_effects
 from trueaxis.diagnosis.null_model import noise
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.effects.kind import Effect
+from trueaxis.reporting.diagnosis.text import summary_text
+from trueaxis.reporting.diagnosis.words import headline
 
 PLAN = Design(lines=2, repeats=2, targets=15, ball_bar=False)
 BENT = Effect(
@@ -43,6 +46,12 @@ def test_an_effect_that_curves_could_imitate_is_named_instead_of_what_they_would
         one.label for cause in found.causes for one in (cause.effect, *(rival.effect for rival in cause.rivals))
     }
     assert found.stale == ()
+    # no reading shows more than new values would explain: it is named beside them, and extends no machine
+    assert found.verdict == "ambiguous"
+    assert all(cause.or_changed and not cause.alone for cause in found.causes)
+    assert named_effects(found) == ()
+    assert "or changed values of " in headline(found)
+    assert "held-out RMS no lower than with new values of the errors" in summary_text(found)
 
 
 def test_noise_that_errors_as_large_as_expected_tell_names_nothing_instead(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import parameter_signature
-from trueaxis.diagnosis.judging.stale import _Asked, clearest, stale_values
+from trueaxis.diagnosis.judging.stale import _Asked, _chosen, clearest, stale_values
 from trueaxis.diagnosis.null_model.freedom import freedom_of
 from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.result import Stale
@@ -141,7 +141,21 @@ def test_a_direction_in_which_less_is_said_than_expected_is_no_evidence() -> Non
     location = columns @ source.standard_normal(4) + 0.05 * axes[:, 4]
     readings = 50.0 * axes[:, 4] + 0.5 * location + 30.0 * axes[:, 0]
     r = np.asarray(np.linalg.qr(np.column_stack([columns, location, readings]), mode="r"))
-    asked = _Asked(r, {"EYX": np.arange(4), "EC0X": np.array([4])}, {"EYX": 1e3, "EC0X": 1e3})
+    asked = _Asked(r, {"EYX": np.arange(4), "EC0X": np.array([4])}, {"EYX": 1e3, "EC0X": 1e3}, 1e3)
     assert asked.log_p("EC0X", ("EYX",)) == 0.0
     assert asked.log_p("EC0X", ()) < np.log(1e-6)  # without the curve it is the one that changes
     assert asked.log_p("EYX", ("EC0X",)) < np.log(1e-6)
+
+
+def test_of_two_that_explain_the_same_the_better_one_changed_whatever_shows_it() -> None:
+    """A tilt of an axis, and the curve that imitates it but for a little: the readings that show the tilt have a noise
+    that is less well known, which is no reason to believe in the curve.
+    """
+    source = np.random.default_rng(5)
+    axes = np.linalg.qr(source.standard_normal((12, 8)))[0]
+    tilt = 100.0 * axes[:, [0]]
+    curve = np.column_stack([100.0 * axes[:, 0] + 3.0 * axes[:, 1], 100.0 * axes[:, 2:6]])
+    r = np.asarray(np.linalg.qr(np.column_stack([curve, tilt, 40.0 * axes[:, 0]]), mode="r"))
+    at = {"EAX": np.arange(5), "EC0Y": np.array([5])}
+    sizes, _ = _chosen(_Asked(r, at, {"EAX": 1e4, "EC0Y": 40.0}, 1e3))
+    assert list(sizes) == ["EC0Y"]

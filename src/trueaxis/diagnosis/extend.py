@@ -36,12 +36,12 @@ Extend = Callable[[Diagnosis], MachineModel]  # of the machine with the causes n
 def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     """The effects that the extended machine has besides: causes that were named.
 
-    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained, nor what
-    an instrument had while it measured.
+    What cannot be told from a rival, or from changed values, is not among them, nor is anything where structure is left
+    unexplained, nor what an instrument had while it measured.
     """
     if diagnosis.verdict not in ("explained", "ambiguous"):
         return ()
-    named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
+    named = (cause.effect for cause in diagnosis.causes if cause.alone)
     return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
 
 

@@ -88,7 +88,8 @@ class Cause:
     included; rivals: what explains the readings about as well: other effects, or the same of another period;
     homogeneous_p: of the test that all groups have one amplitude; remainder: whether structure is left beside it;
     formula: its term in LaTeX, values not filled in; separating: the further run that would tell it from its rivals,
-    None where it has none.
+    None where it has none; or_changed: components whose values may have changed instead, where new values would explain
+    all that it does: it is likelier, as it is one number, and no reading shows more.
     """
 
     effect: Effect
@@ -104,6 +105,12 @@ class Cause:
     homogeneous_p: float
     remainder: bool
     separating: "Separating | None"
+    or_changed: tuple[str, ...] = ()
+
+    @property
+    def alone(self) -> bool:
+        """Whether nothing else explains the readings about as well."""
+        return not self.rivals and not self.or_changed
 
 
 @dataclass(frozen=True, slots=True)

@@ -62,7 +62,8 @@ class Outcome:
 def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect, report: Mapping[str, str]) -> Diagnosis:
     """The record. audited, prospect: of what the runs can show; report: what setup.toml says in free words."""
     ground, judged = outcome.ground, outcome.judged
-    verdict = verdict_of(judged.search, judged.stand, judged.checks, outcome.changes.stale, judged.off, judged.misfits)
+    stale, instead = outcome.changes.stale, judged.or_changed
+    verdict = verdict_of(judged.search, judged.stand, judged.checks, stale, judged.off, judged.misfits, instead)
     ahead = tuple(ahead_of(prospect, _found(judged, one), float(one.values[0])) for one in judged.causes)
     causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
     if verdict != "unexplained_structure":
@@ -83,7 +84,7 @@ def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect, report: M
         gain=outcome.gain,
         circles=_circles(ground.readings, outcome.left),
         recalibration_p=outcome.changes.p_value,
-        next_runs=next_runs(prospect, audited, ahead, judged.checks, outcome.null.noise),
+        next_runs=next_runs(prospect, audited, ahead, () if judged.misfits else judged.checks, outcome.null.noise),
         absences=absences(ground.readings, audited),
         second_order=second_order_of(ground),
         residuals=_residuals(outcome),
@@ -134,6 +135,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         homogeneous_p=homogeneous_p,
         remainder=any(check.fired for check in judged.checks),
         separating=separating_run(ground.readings.model.machine.kinds, ahead),
+        or_changed=judged.or_changed,
     )
 
 

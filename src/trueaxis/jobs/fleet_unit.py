@@ -167,7 +167,7 @@ class _Work:
             causes = tuple(
                 CauseFound(
                     kind=one.effect.kind, component=one.effect.component, label=one.effect.label,
-                    certain=not one.rivals,
+                    certain=one.alone,
                     parameters={part.name: (part.value, _known(part.u), part.unit) for part in one.parameters},
                 )
                 for one in done.diagnosis.causes

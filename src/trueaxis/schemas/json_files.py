@@ -185,4 +185,5 @@ def _cause() -> Schema:
         "separating": said(_TEXT, "the run that would tell them apart"),
         "sentence": _TEXT,
     }
-    return _growing(_named() | rest, ("effect", *rest))
+    changed = {"or_changed": said(array(_TEXT), "components whose values may have changed in its place")}
+    return _growing(_named() | rest | changed, ("effect", *rest))

@@ -5,6 +5,7 @@ import pytest
 from trueaxis.diagnosis.result import Gain, Stage
 from trueaxis.effects.kind import Effect
 from trueaxis.identification.words import enumerated
+from trueaxis.reporting.diagnosis.gain_words import held_out_warning
 from trueaxis.reporting.diagnosis.quantity import (
     ascii_only,
     equals_p,
@@ -14,7 +15,7 @@ from trueaxis.reporting.diagnosis.quantity import (
     with_expanded,
     written,
 )
-from trueaxis.reporting.diagnosis.words import effect_title, held_out_warning, in_words, joint
+from trueaxis.reporting.diagnosis.words import effect_title, in_words, joint
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,8 @@ from trueaxis.diagnosis.result import AmplitudeOf, BoolArray, FloatArray
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Judged:
     """search: with the rivals of causes that are named; causes, groups: those, with their amplitudes; stand: whether
-    what was found may be named; unnamed: causes of the machine that were found and may not be.
+    what was found may be named; unnamed: causes of the machine that were found and may not be; or_changed: components
+    whose values may have changed in place of the cause, see `contest`.
     """
 
     search: Search
@@ -40,6 +41,7 @@ class Judged:
     off: tuple[Off, ...] = ()
     misfits: tuple[str, ...] = ()
     unnamed: tuple[Fitted, ...] = ()
+    or_changed: tuple[str, ...] = ()
 
 
 def judged_causes(
@@ -95,7 +97,7 @@ def judged_values(
     if any(one.fired for one in checks):
         return judged, changes, taken
     judged = replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True)
-    return judged, left, taken
+    return replace(judged, or_changed=tuple(one.component for one in changes.stale)), left, taken
 
 
 def judged_runs(

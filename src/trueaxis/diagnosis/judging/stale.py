@@ -41,12 +41,14 @@ class Changes:
 @dataclass(frozen=True, slots=True, eq=False)
 class _Asked:
     """What readings ask for. r: (m, p + 1), triangular factor of the machine's columns, in units of what is expected,
-    and of the readings; at: which columns are those of each component; freedom: of the noise for each.
+    and of the readings; at: which columns are those of each component; freedom: of the noise for each; of_all: for what
+    all of them explain together: components that may have changed in each other's place share it.
     """
 
     r: FloatArray
     at: Mapping[str, IntArray]
     freedom: Mapping[str, float]
+    of_all: float
 
     def gram(self, sizes: Mapping[str, float]) -> FloatArray:
         """(p + 1, p + 1): products of columns and readings, with changes of these sizes part of the noise."""
@@ -98,7 +100,8 @@ def stale_values(null: Null, causes: Sequence[FloatArray], besides: Sequence[Flo
     names, every = np.array(base.components), tuple(dict.fromkeys(base.components))
     at = {name: np.flatnonzero(names == name) for name in every}
     of_noise = {name: freedom.of(np.arange(rows.size), base.machine.take(at[name]).dense()) for name in every}
-    asked = _Asked(r, at, of_noise)
+    fitted = np.linalg.lstsq(r[:, :-1], r[:, -1], rcond=RANK)[0] * base.expected[: base.of_machine]
+    asked = _Asked(r, at, of_noise, freedom.of(np.arange(rows.size), (base.machine @ fitted)[:, np.newaxis]))
     sizes, evidence = _chosen(asked)
     found = [_change(rows, base, asked, sizes, name) for name in sizes]
     found.sort(key=lambda one: one.p_value)
@@ -156,7 +159,7 @@ def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str,
         squares = np.square(SIZES)[:, np.newaxis] * (turned.T @ gram[at, -1]) ** 2
         explained, volume = np.sum(squares / (1.0 + gain), axis=1), np.sum(np.log1p(gain), axis=1)
         decades = 0.5 * (explained - volume) / np.log(10.0)
-        freedom = asked.freedom[name]
+        freedom = asked.of_all
         left = np.maximum(freedom + total - explained, freedom)
         unsure = 0.5 * ((freedom + rank) * np.log((freedom + total) / left) - volume) / np.log(10.0)
         best = int(np.argmax(decades))

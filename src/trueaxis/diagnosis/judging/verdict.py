@@ -96,12 +96,15 @@ def verdict_of(
     stale: Sequence[Stale],
     off: Sequence[Off],
     misfits: Sequence[str] = (),
+    or_changed: Sequence[str] = (),
 ) -> Verdict:
-    """What it all comes to. off: instruments that are; misfits: runs that no errors of the machine fit."""
+    """What it all comes to. off: instruments that are; misfits: runs that no errors of the machine fit; or_changed:
+    components whose values may have changed in place of the cause.
+    """
     if misfits:
         return "unexplained_structure"
     if found.causes and stand:
-        return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
+        return "ambiguous" if or_changed or any(one.rivals for one in found.causes) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
     if off:

@@ -11,11 +11,11 @@ from trueaxis.diagnosis.further_runs.of_plan import Absence, NextRun, Placed, Se
 from trueaxis.diagnosis.null_model.temperature import UNKNOWN
 from trueaxis.diagnosis.result import Diagnosis, SecondOrder
 from trueaxis.identification.words import enumerated
+from trueaxis.reporting.diagnosis.gain_words import held_out_warning
 from trueaxis.reporting.diagnosis.quantity import quantity
 from trueaxis.reporting.diagnosis.structures import check_name, closer_look
 from trueaxis.reporting.diagnosis.words import (
     alternatives,
-    held_out_warning,
     largest_structures,
     lower_case,
     noise_origin,
@@ -132,7 +132,7 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
     for one in diagnosis.noise:
         if one.origin not in ("repeats", "given"):
             yield f"noise of the {one.group}: {noise_origin(one.origin)}; repeat runs to determine it"
-    if diagnosis.verdict == "unexplained_structure":
+    if diagnosis.verdict == "unexplained_structure" and not diagnosis.misfits:
         yield "no known cause explains the remaining structure: no name is given"
     if any(one.remainder for one in diagnosis.causes):
         shown, _ = largest_structures(diagnosis.checks)

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.reporting.diagnosis import further, tables
+from trueaxis.reporting.diagnosis.gain_words import held_out_change, predicted_scatter
 from trueaxis.reporting.diagnosis.picture import Picture, Pictures
-from trueaxis.reporting.diagnosis.quantity import UM, URAD, equals_p, micrometres, percent, with_expanded, written
+from trueaxis.reporting.diagnosis.quantity import UM, URAD, equals_p, micrometres, with_expanded, written
 from trueaxis.reporting.diagnosis.tables import Table
 from trueaxis.reporting.diagnosis.words import (
     TITLES,
+    changed_instead,
     effect_title,
     explanation,
     headline,
     in_words,
     joint,
-    misfit,
-    predicted_scatter,
 )
 from trueaxis.template_folders import template_folders
 
@@ -69,7 +69,7 @@ def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
         headline=headline(diagnosis),
         explanation=explanation(diagnosis),
         key_figures=_key_figures(diagnosis),
-        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in further.warnings(diagnosis))],
+        warnings=[in_words(one, kinds) for one in further.warnings(diagnosis)],
         absences=[in_words(one, kinds) for one in further.absences(diagnosis)],
         report=diagnosis.report,
         measured=tables.measured(diagnosis),
@@ -136,9 +136,10 @@ def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -
         facts=(
             ("explains", f"{micrometres(cause.rms)} {UM} RMS of the readings"),
             ("evidence", f"{written(cause.evidence, '.3g')} ({equals_p(cause.p_value)})"),
-            ("held-out RMS", _change(cause.held_out_gain)),
+            ("held-out RMS", held_out_change(cause)),
             ("same size everywhere", equals_p(cause.homogeneous_p)),
             ("kind, as in a spec", cause.effect.kind),
+            *(("or, in its place", one) for one in changed_instead(cause)),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,
         separating="" if cause.separating is None else in_words(further.separating_run(cause.separating), kinds),
@@ -149,10 +150,6 @@ def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -
 
 def _sentence(text: str) -> str:
     return f"{text[:1].upper()}{text[1:]}." if text else ""
-
-
-def _change(gain: float) -> str:
-    return f"higher by {percent(-gain)}" if gain < 0.0 else f"lower by {percent(gain)}"
 
 
 def _sections(

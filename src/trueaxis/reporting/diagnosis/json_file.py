@@ -134,6 +134,7 @@ def _cause(one: Cause) -> dict[str, Any]:
         "cannot_be_told_from": [
             {**_evidence(rival), "parameters": _parameters(rival.parameters)} for rival in one.rivals
         ],
+        "or_changed": list(one.or_changed),
         "separating": "" if one.separating is None else separating_run(one.separating),
         "remainder": one.remainder,
         "sentence": one.sentence,

@@ -6,15 +6,16 @@ from collections.abc import Iterator
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.effects.library import BY_NAME
 from trueaxis.reporting.diagnosis.further import of_verdict, proposals, separating_run, warnings
-from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, percent, probability, with_expanded
+from trueaxis.reporting.diagnosis.gain_words import held_out_change, predicted_scatter
+from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, probability, with_expanded
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
 from trueaxis.reporting.diagnosis.words import (
+    changed_instead,
     effect_title,
     headline,
     joint,
     largest_structures,
     misfit,
-    predicted_scatter,
     rival_title,
     shortened,
     stale_change,
@@ -30,7 +31,9 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     yield f"{diagnosis.verdict}: {headline(diagnosis)}"
     for number, cause in enumerate(diagnosis.causes, 1):
         yield from _cause(number, cause)
-    if diagnosis.verdict == "unexplained_structure":
+    if diagnosis.misfits:
+        yield misfit(diagnosis)
+    elif diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis.checks)
         yield from (
             f"looks like: {check_name(one)}: {check_meaning(one)} "
@@ -39,8 +42,6 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         )
         if more:
             yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
-    if diagnosis.misfits:
-        yield misfit(diagnosis)
     yield from (
         f"stale: {stale_change(one)} (p of the whole change {probability(one.p_value)})" for one in diagnosis.stale
     )
@@ -83,10 +84,11 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
         yield f"  {one.name} = {with_expanded(one.value, one.u, one.unit)}"
     yield (
         f"  evidence: p {probability(cause.p_value)}, {micrometres(cause.rms)} um RMS, "
-        f"held-out RMS lower by {percent(cause.held_out_gain)}"
+        f"held-out RMS {held_out_change(cause)}"
     )
-    if cause.rivals:
-        yield f"  cannot be distinguished from: {', '.join(shortened([rival_title(one) for one in cause.rivals]))}"
+    if not cause.alone:
+        others = [*shortened([rival_title(one) for one in cause.rivals]), *changed_instead(cause)]
+        yield f"  cannot be distinguished from: {', '.join(others)}"
     if cause.separating is not None:
         yield f"  run that would tell: {separating_run(cause.separating)}"
     if cause.remainder:

@@ -1,20 +1,18 @@
 """Effects and verdicts in plain words."""
 
-import math
 import re
 from collections.abc import Iterable, Sequence
 
 from trueaxis.diagnosis.further_runs.of_plan import Placed
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.null_model.noise import UNKNOWN
-from trueaxis.diagnosis.result import Cause, Diagnosis, Estimate, Evidence, Gain, Stale, Verdict
+from trueaxis.diagnosis.result import Cause, Diagnosis, Estimate, Evidence, Stale, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import ErrorName
 from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import (
     NBSP,
-    micrometres,
     probability,
     quantity,
     with_expanded,
@@ -33,7 +31,6 @@ TITLES: dict[Verdict, str] = {
 MOST_STRUCTURES = 5  # named in a line
 MOST_MISFITS = 5
 MOST_ALTERNATIVES = 4  # to a cause that are named in a line
-AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
 ESTIMATED = frozenset({"repeats", "courses", "expected"})  # origins of a noise that has degrees of freedom
 
 
@@ -94,7 +91,12 @@ def alternatives(cause: Cause) -> list[str]:
         name = same[0].differs_by
         values = [_value_of(one, name) for one in (cause.parameters, *(one.parameters for one in same))]
         title += f" of {name} {enumerated(shortened(values), 'or')}"
-    return [title, *shortened(others)]
+    return [title, *shortened(others), *changed_instead(cause)]
+
+
+def changed_instead(cause: Cause) -> list[str]:
+    """`changed values of EAX and EZX`, where these may be there in its place."""
+    return [f"changed values of {enumerated(cause.or_changed)}"] if cause.or_changed else []
 
 
 def rival_title(rival: Evidence) -> str:
@@ -139,7 +141,9 @@ def headline(diagnosis: Diagnosis) -> str:
             sets = [enumerated(alternatives(one), "or") for one in diagnosis.causes]
             return f"{'; '.join(sets)}: these readings cannot tell which."
         case "unexplained_structure":
-            return "The residuals are not noise, and no known effect explains them: no cause is named."
+            wrong = f"No errors of the machine fit {misfits_named(diagnosis)}: look at these runs first."
+            unknown = "The residuals are not noise, and no known effect explains them: no cause is named."
+            return wrong if diagnosis.misfits else unknown
 
 
 def explanation(diagnosis: Diagnosis) -> str:
@@ -150,6 +154,8 @@ def explanation(diagnosis: Diagnosis) -> str:
             "What only readings of unknown noise show would not have been found. Repeat their runs, or state the noise "
             "of a reading."
         )
+    if diagnosis.misfits:
+        return f"N{misfit(diagnosis).removeprefix('n')}. {_BESIDE_MISFITS}"
     return f"{meaning} {_detail(diagnosis)}".rstrip()
 
 
@@ -181,14 +187,19 @@ _MEANING: dict[Verdict, str] = {
     ),
 }
 
+_BESIDE_MISFITS = (
+    "A run that is wrong spoils what is fitted to all: no cause, no stale value and no check is to be believed beside "
+    "it. Put it right or leave it out, and diagnose again."
+)
+
 
 def _detail(diagnosis: Diagnosis) -> str:
     if diagnosis.verdict == "recalibrate":
-        p = probability(diagnosis.recalibration_p)
         changed = [stale_change(one) for one in diagnosis.stale[:MOST_STRUCTURES]]
-        more = len(diagnosis.stale) - len(changed)
-        changed += [f"{more} more, listed below"] if more else []
+        if more := len(diagnosis.stale) - len(changed):
+            changed.append(f"{more} more, listed below")
         listed = f"Changed: {'; '.join(changed)}. " if changed else ""
+        p = probability(diagnosis.recalibration_p)
         return f"{listed}True values would look as stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis.checks)
@@ -215,41 +226,6 @@ def stale_range(one: Stale) -> tuple[str, str]:
         return "", ""
     unit = ErrorName(one.component).axis_unit
     return written(one.first, ".4g"), f"{written(one.last, '.4g')}{NBSP}{unit}"
-
-
-def predicted_scatter(gain: Gain) -> str:
-    """What `standardised` comes to, as a sentence without its end; empty where it is unknown."""
-    if not math.isfinite(gain.standardised):
-        return ""
-    low, high = AS_PREDICTED
-    if gain.standardised > high:
-        judged = "more than noise and the uncertainty of the values explain"
-    elif gain.standardised < low:
-        judged = "less than predicted: the assumed noise is too large"
-    else:
-        judged = "as expected"
-    return f"held-out residuals have {written(gain.standardised, '.2f')} times the predicted scatter: {judged}"
-
-
-def held_out_warning(gain: Gain) -> str:
-    """Why held-out readings are predicted worse than by the values given; empty where they are not, or no worse than is
-    predicted of them: the values given may rest on more readings than the others.
-    """
-    if not gain.standardised > AS_PREDICTED[1]:
-        return ""
-    shown = {name: micrometres(getattr(gain.held_out, name)) for name in ("given", "refitted", "extended")}
-    worse = [
-        name
-        for name in ("refitted", "extended")
-        if getattr(gain.held_out, name) > gain.held_out.given and shown[name] != shown["given"]
-    ]
-    if not worse:
-        return ""
-    figures = enumerated([f"{name} {shown[name]} um" for name in worse])
-    return (
-        f"held-out readings are predicted worse ({figures}) than by the given values ({shown['given']} um): they show "
-        "something that the other readings do not, such as a change between the runs"
-    )
 
 
 def largest_structures(checks: Iterable[Check]) -> tuple[list[Check], int]:
@@ -280,10 +256,14 @@ def misfit(diagnosis: Diagnosis) -> str:
     """Runs that no errors of the machine fit; empty where there are none."""
     if not diagnosis.misfits:
         return ""
-    shown = enumerated(diagnosis.misfits[:MOST_MISFITS])
-    more = f" and {len(diagnosis.misfits) - MOST_MISFITS} more" if len(diagnosis.misfits) > MOST_MISFITS else ""
     return (
-        f"no errors of the machine fit {shown}{more}: is the sign of the readings right, do they belong to this run, "
-        "is its set-up as setup.toml says? `identify` says by how much they are off, and whether a run reads as if its "
-        "sign were reversed"
+        f"no errors of the machine fit {misfits_named(diagnosis)}: is the sign of the readings right, is `direction`, "
+        "do they belong to this run, is its set-up as setup.toml says? `identify` says by how much they are off, and "
+        "whether a run reads as if one of these were wrong"
     )
+
+
+def misfits_named(diagnosis: Diagnosis) -> str:
+    """`X-1 and Y-3`, the first of many."""
+    more = len(diagnosis.misfits) - MOST_MISFITS
+    return enumerated([*diagnosis.misfits[:MOST_MISFITS], *([f"{more} more"] if more > 0 else [])])
