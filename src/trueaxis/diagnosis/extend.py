@@ -15,6 +15,7 @@ from trueaxis.diagnosis.judging.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnosis.null_model.temperature import assumed, smoothed
 from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
 from trueaxis.effects.kind import Effect
+from trueaxis.effects.library import BY_NAME
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
@@ -41,8 +42,7 @@ def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     """
     if diagnosis.verdict not in ("explained", "ambiguous"):
         return ()
-    named = (cause.effect for cause in diagnosis.causes if cause.alone)
-    return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
+    return tuple(cause.effect for cause in diagnosis.causes if cause.alone and _is_of_the_machine(cause.effect))
 
 
 def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
@@ -50,8 +50,14 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     return tuple(
         EffectValues(one.effect, {each.name: each.value for each in one.parameters})
         for one in diagnosis.causes
-        if one.effect.kind not in NOT_OF_THE_MACHINE
+        if _is_of_the_machine(one.effect)
     )
+
+
+def _is_of_the_machine(effect: Effect) -> bool:
+    """Not what an instrument has in one session: a spec holds none of it."""
+    kind = BY_NAME.get(effect.kind)
+    return effect.kind not in NOT_OF_THE_MACHINE and (not effect.runs or kind is None or kind.by_run)
 
 
 def all_readings(data: MeasuredData) -> Observations:

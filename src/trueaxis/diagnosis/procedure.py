@@ -18,6 +18,7 @@ from trueaxis.diagnosis.further_runs.audit import audit
 from trueaxis.diagnosis.further_runs.prospect import prospect_of
 from trueaxis.diagnosis.judging.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
+from trueaxis.diagnosis.judging.scale_off import less_scale_off
 from trueaxis.diagnosis.judging.stale import Changes
 from trueaxis.diagnosis.null_model.base import given_by_chance
 from trueaxis.diagnosis.null_model.freedom import freedom_of
@@ -69,7 +70,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
     null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
+    null, off = less_scale_off(null, options.noise_um)
     null, ground, judged, changes = _with_runs(model, null, options)
+    judged = replace(judged, off=(*off, *judged.off))
     # neither needs the other: where there are threads both are worked out at once
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
     options.progress("gain")
