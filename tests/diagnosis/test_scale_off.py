@@ -81,4 +81,5 @@ def test_a_session_whose_scale_is_off_is_named_with_its_size(by: float) -> None:
 )
 def test_no_scale_is_named(by: float, stated: float | None, only: str) -> None:
     found = said(scaled(by, only), stated)
-    assert not [one for cause in found.causes for one in (cause, *cause.rivals) if one.effect.kind == "laser_scale"]
+    named = [effect for one in found.causes for effect in (one.effect, *(rival.effect for rival in one.rivals))]
+    assert "laser_scale" not in [effect.kind for effect in named]

@@ -134,6 +134,21 @@ def test_swapped_runs_are_named_and_decide(bench: tuple[World, Array]) -> None:
         assert "read as if each had the other's readings" in quality.reason
 
 
+@pytest.mark.parametrize("line", ["X1", "YXs1", "DXY1"])
+def test_a_run_along_another_direction_is_named_with_it(bench: tuple[World, Array], line: str) -> None:
+    """A line, a straightness and a diagonal; they were called reversed, or swapped with runs of other targets."""
+    one, reading = bench
+    index = [run.id for run in one.plan.runs].index(line)
+    right = one.plan.runs[index].direction
+    assert right is not None
+    x, y, z = right
+    wrong = replace(one.plan.turned(index, (z, x, y)), reading=reading)
+    quality = identify_estimated(one.model, wrong, IdentifyOptions(known=_known(one))).report.quality
+    assert (quality.fit.state, quality.fit.runs) == ("misfit", (line,))
+    along = ", ".join(f"{part:g}" for part in right)
+    assert f"run {line} reads as if its direction were [{along}] (direction in setup.toml)" in quality.reason
+
+
 def test_a_zero_of_a_run_that_is_far_off_decides_nothing(bench: tuple[World, Array]) -> None:
     """It is an unknown of the instrument: the values hardly depend on it."""
     one, reading = bench

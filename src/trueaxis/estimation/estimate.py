@@ -27,7 +27,7 @@ from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, SEARCH_ROU
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, linearised, moved, of_runs, started
-from trueaxis.estimation.swapped import likely_pairs
+from trueaxis.estimation.swapped import Turned, likely_set_ups
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
@@ -247,28 +247,39 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
     elsewise = {index for one in others for index in one.runs}
     misread = {index: one for index, one in misread.items() if index not in elsewise}
     sure = {index: one for index, one in misread.items() if one.sure}
-    swapped = _under_each_other(setting, fitted, sure, elsewise, refit)
+    swapped = _by_another_set_up(setting, fitted, sure, elsewise, refit)
     if not swapped:
         return misread, others
     return {index: one for index, one in misread.items() if one.partner is None} | swapped, []
 
 
-def _under_each_other(
+def _by_another_set_up(
     setting: _Setting, fitted: Fitted, misread: Mapping[int, Misread], contradicting: Collection[int], refit: Refit
 ) -> dict[int, Misread]:
-    """The two runs that were made each by the set-up of the other, if that explains most of what is wrong.
+    """The two runs that were made each by the set-up of the other, or the one that sensed along another direction, if
+    that explains most of what is wrong.
 
-    Their positions go with their readings: other than where readings alone are in each other's place.
+    Positions go with the readings: other than where readings alone are in each other's place.
     """
     wrong = [*contradicting, *sorted(misread, key=lambda index: -misread[index].log_odds)]
     found = dict[int, Misread]()
-    for swap in likely_pairs(fitted, wrong, refit):
-        relabelled = setting.observed.exchanged(*swap.places)
+    for other in likely_set_ups(fitted, wrong, refit):
+        if isinstance(other, Turned):
+            relabelled = setting.observed.turned(other.index, other.direction)
+        else:
+            relabelled = setting.observed.exchanged(*other.places)
         there = replace(setting, observed=relabelled, runs=tuple(measured_runs(relabelled)))
         begun, sizes = there.started(fitted.state.layout.effects)
         x, state, _ = settled(begun, sizes, MOST_ROUNDS)
-        gain = evidence_ratio(fitted, Fitted(state=state, sizes=sizes, x=x)) - float(np.log(swap.among))
-        if gain > max([SURE, *(one.log_odds for one in {**misread, **found}.values())]):
-            of_both = (swap.places, swap.places[::-1])
-            found = {one: Misread(how="swapped", log_odds=gain, partner=other) for one, other in of_both}
+        gain = evidence_ratio(fitted, Fitted(state=state, sizes=sizes, x=x)) - float(np.log(other.among))
+        if gain <= max([SURE, *(one.log_odds for one in {**misread, **found}.values())]):
+            continue
+        if isinstance(other, Turned):
+            found = {other.index: Misread(how="turned", log_odds=gain, direction=other.direction)}
+        else:
+            first, second = other.places
+            found = {
+                first: Misread(how="swapped", log_odds=gain, partner=second),
+                second: Misread(how="swapped", log_odds=gain, partner=first),
+            }
     return found

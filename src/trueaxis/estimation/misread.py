@@ -26,7 +26,7 @@ from trueaxis.estimation.state import State
 from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.measurement.machine import FloatArray
 
-How = Literal["reversed", "small", "large", "mirrored", "swapped"]
+How = Literal["reversed", "small", "large", "mirrored", "swapped", "turned"]
 
 # By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
 # each other's readings.
@@ -59,13 +59,14 @@ Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 class Misread:
     """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone;
     partner: the run, by index, whose readings it has if they are swapped; together: the runs, by index, of an
-    instrument of which all have the fault, itself among them; else none.
+    instrument of which all have the fault, itself among them, else none; direction: along which it reads.
     """
 
     how: How
     log_odds: float
     partner: int | None = None
     together: tuple[int, ...] = ()
+    direction: tuple[float, float, float] | None = None
 
     @property
     def sure(self) -> bool:

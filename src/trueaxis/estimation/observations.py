@@ -53,6 +53,11 @@ class Observations:
         """As if the readings of one run, with their positions, were those of the other, and the other way round."""
         return replace(self, run=np.select([self.run == one, self.run == other], [other, one], self.run))
 
+    def turned(self, one: int, direction: tuple[float, float, float]) -> "Observations":
+        """As if one run had sensed in another direction."""
+        runs = [replace(run, direction=direction) if k == one else run for k, run in enumerate(self.runs)]
+        return replace(self, runs=tuple(runs))
+
 
 def observations(source: str, runs: Sequence[Run], readings: Readings, only: Collection[str] = ()) -> Observations:
     """The rows that have a reading; only: of these runs, if any are named. Raises InputError where none has."""

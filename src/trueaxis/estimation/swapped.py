@@ -1,4 +1,4 @@
-"""Pairs of runs whose readings are likelier each in the other's place, or by the other's set-up."""
+"""Runs whose readings are likelier in another's place, by another's set-up, or along another direction."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -11,10 +11,14 @@ from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import beside_others, widest
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.set_up import is_straightness, relative_motion
 
 # Runs of as many readings of an instrument that are compared, those that fit worst: time grows with their square
 MOST_ALIKE = 60
-MOST_WRONG = 3  # runs that are wrong, of which it is asked whose they are, each at the cost of two estimates
+# Runs that are wrong, of which it is asked whose they are and along what, each at the cost of three estimates
+MOST_WRONG = 3
+ALONG = 1e-6  # sine of an angle up to which two directions are one
+AS_NOISE = float(2.0 * np.log(1e3))  # minus the logarithm of a probability from which on it is not noise that is left
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +28,20 @@ class Swap:
     """
 
     places: tuple[int, int]
+    among: int
+
+
+Direction = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """A run by its index that sensed in another direction; among: the number of directions, of which one at most is
+    right.
+    """
+
+    index: int
+    direction: Direction
     among: int
 
 
@@ -69,16 +87,19 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
     return set_ups[0] != set_ups[1] or not np.array_equal(one.rows.positions, other.rows.positions)
 
 
-def likely_pairs(fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted]) -> list[Swap]:
-    """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, by an estimate
-    without it; places are indices. None without a prior.
+def likely_set_ups(
+    fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted]
+) -> list[Swap | Turned]:
+    """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, and with each
+    direction that does as well as noise allows, by an estimate without it; places are indices. None without a prior.
     """
-    found: dict[tuple[int, int], Swap] = {}
+    found: dict[object, Swap | Turned] = {}
     runs, few = fitted.state.runs, () if fitted.sizes.flat else wrong[:MOST_WRONG]
     for one in (run for run in runs if run.rows.index in few):
         others = [run for run in runs if run is not one]
         partners = [run for run in others if run.instrument == one.instrument and run.rows.run != one.rows.run]
-        if not partners:
+        directions = _other_directions(fitted, one)
+        if not partners and not directions:
             continue
         without, expected = widest(refit(others))
         scale = fitted.scales[one.rows.index]
@@ -87,6 +108,38 @@ def likely_pairs(fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence
             index = other.rows.index
             there = replace(one, rows=replace(one.rows, run=other.rows.run, index=index))
             far[index] = beside_others(without, expected, [there], {index: scale}).log_p
-        first, second = sorted((one.rows.index, max(far, key=lambda index: far[index])))
-        found[first, second] = Swap((first, second), len(partners))
+        if far:
+            first, second = sorted((one.rows.index, max(far, key=lambda index: far[index])))
+            found[first, second] = Swap((first, second), len(partners))
+        for direction in directions:
+            if beside_others(*_sensing(without, expected, one, direction), {one.rows.index: scale}).log_p > -AS_NOISE:
+                found[one.rows.index, direction] = Turned(one.rows.index, direction, len(directions))
     return list(found.values())
+
+
+def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Direction]:
+    """Along the axes of the measuring frame and along the motion, both ways; not its own, nor the opposite of that,
+    which is its sign.
+    """
+    own = one.rows.run.direction
+    if own is None:
+        return []
+    moved = relative_motion(fitted.state.layout.model, one.rows.run, one.rows.positions)
+    along = np.linalg.svd(moved, full_matrices=False)[0][:, 0]
+    axes = [*np.eye(3), *([along] if moved.any() and np.abs(along).max() < 1.0 - ALONG else [])]
+    others = [axis for axis in axes if np.linalg.norm(np.cross(axis, own)) > ALONG]
+    return [(float(x), float(y), float(z)) for axis in others for x, y, z in (axis + 0.0, 0.0 - axis)]
+
+
+def _sensing(
+    without: Fitted, expected: Posterior, one: MeasuredRun, direction: Direction
+) -> tuple[Fitted, Posterior, list[MeasuredRun]]:
+    """A run as if it had sensed in another direction, and the estimate by whose layout it is then of straightness or
+    not.
+    """
+    layout, rows = without.state.layout, one.rows
+    run = replace(rows.run, direction=direction)
+    straight = list(layout.straightness)
+    straight[rows.index] = is_straightness(layout.model, run, rows.positions)
+    state = replace(without.state, layout=replace(layout, straightness=tuple(straight)))
+    return replace(without, state=state), expected, [replace(one, rows=replace(rows, run=run))]

@@ -20,6 +20,7 @@ READS: Mapping[How, str] = {
     "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
     "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
     "swapped": "as if the readings were those of another run",
+    "turned": "as if its direction in setup.toml were another",
 }
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.
@@ -111,6 +112,10 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
                 "setup.toml says of them)",
                 one,
             )
+        elif one.direction is not None:
+            done.add(index)
+            along = ", ".join(f"{part:g}" for part in one.direction)
+            yield f"{who} {verb} as if its direction were [{along}] (direction in setup.toml)", one
         else:
             done |= {index, *one.together}
             yield f"{who} {verb.removesuffix('s') if one.together else verb} {READS[one.how]}", one
@@ -128,7 +133,7 @@ def _who(observed: Observations, index: int, one: Misread) -> str:
 def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:
     kinds = {one.how for one in sure.values()}
     who = list(dict.fromkeys(_who(observed, index, one) for index, one in sure.items()))
-    if len(who) == 1 or len(kinds) > 1 or "swapped" in kinds:
+    if len(who) == 1 or len(kinds) > 1 or kinds & {"swapped", "turned"}:
         return "; ".join(text for text, _ in _each(observed, sure, "reads"))
     wrong = READS[kinds.pop()]
     if any(one.together for one in sure.values()):

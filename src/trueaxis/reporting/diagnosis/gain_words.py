@@ -11,10 +11,10 @@ AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is ri
 
 def held_out_change(cause: Cause) -> str:
     """How a cause changes the held-out RMS, beside new values of all errors."""
-    gain, by_values = cause.held_out_gain, "no lower than with new values of the errors"
-    if not gain and not cause.or_changed:
-        return "unchanged"
-    return by_values if cause.or_changed else f"{'higher' if gain < 0.0 else 'lower'} by {percent(abs(gain))}"
+    gain = cause.held_out_gain
+    if cause.or_changed:
+        return "no lower than with new values of the errors"
+    return f"{'higher' if gain < 0.0 else 'lower'} by {percent(abs(gain))}" if gain else "unchanged"
 
 
 def predicted_scatter(gain: Gain) -> str:
