@@ -71,6 +71,7 @@ def test_a_ball_on_the_wrong_side_is_refused(tmp_path: Path, command: str, capsy
     told = capsys.readouterr().err
     assert "the balls are 728.011 mm apart at the first position, not 200 mm" in told
     assert "would have to be at [270.0, -350.0, 200.0]" in told
+    assert "does Y move the other way? (sense of axis Y in the spec)" in told
     assert [path.name for path in out.iterdir()] == ["zero.json"]
 
 

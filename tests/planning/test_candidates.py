@@ -11,6 +11,7 @@ from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.identification.believable_setup import _tip_faults
 from trueaxis.identification.notes import tip_notes
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
@@ -170,3 +171,18 @@ def test_a_tip_that_leaves_its_sphere_is_told() -> None:
     assert tip_notes(machine, observed) == ()
     (note,) = tip_notes(machine.with_values(replace(machine.errors, parameters={"q_wx": 80.0})), observed)
     assert "the tip leaves its place by up to" in note
+
+
+def test_a_rotary_axis_that_turns_the_other_way_than_its_spec_says_is_named() -> None:
+    """A probe that follows a sphere round C goes the wrong way round."""
+    machine = model("dmu60p_5axis")
+    turns = [one for one in candidates(machine, replace(ALL, everywhere=False)) if "C turning at B0 about" in one.what]
+    row = machine.axes.index("C")
+    for one in turns:
+        assert _tip_faults(machine, one.run, one.positions, Path()) == []
+        turned = one.positions.copy()
+        turned[row] *= -1.0
+        (fault,) = _tip_faults(machine, one.run, turned, Path())
+        assert fault.place == f"run {one.run.id}"
+        assert "C moved the other way, it would stay there within 0.001 mm" in fault.problem
+        assert fault.remedy in ("sense of axis X, Y or C in the spec", "sense of axis C in the spec")

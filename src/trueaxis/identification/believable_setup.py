@@ -16,6 +16,7 @@ from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.fit_quality import expected_size
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault
+from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import MeasuredData, readings_path
 from trueaxis.measurement.instrument_kinds import ARM, unit_of_file
 from trueaxis.measurement.machine import FloatArray
@@ -35,6 +36,8 @@ BY_EYE = 5e-4  # rad, one standard deviation: what a line of straightness is off
 MOST_ROWS = 5  # named of a run
 IN_UNIT = "is the reading in {unit}? [prior] of the machine's spec says what errors may be expected"
 MOST_FITTED = 500  # positions that a cause is sought from
+SENSE = "sense of axis {axis} in the spec"
+SMALLEST_OFF = 0.001  # mm, to which it is said how far a tip stays where it was
 OFF = 5.0  # mm, what is left of distances where a cause explains them: a ball is set up within five with a ruler
 FARTHEST = 500.0  # mm from what is given, from where a dimension is sought as well
 
@@ -65,6 +68,8 @@ def _silent(model: MachineModel) -> list[str]:
 def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.ndarray, folder: Path) -> list[Fault]:
     positions = np.ascontiguousarray(readings.positions[:, rows])
     reading = np.nan_to_num(readings.reading[rows])  # a plan's rows are checked for their geometry
+    if run.instrument == "probe" and (faults := _tip_faults(model, run, positions, folder)):
+        return faults
     ideal = ideal_reading(model, run, positions)
     allowed = BELIEVED * expected_size(model, run, positions) + _set_up(model, run, positions)
     wrong = np.flatnonzero(~(np.abs(ideal - reading) <= allowed))
@@ -107,17 +112,20 @@ def _apart(run: Run, off: float, row: int) -> str:
 
 def _ball_causes(model: MachineModel, run: Run, positions: FloatArray, reading: FloatArray) -> str:
     """What explains the distances by itself, likeliest first: dimensions are given apart from the set-up and forgotten,
-    a ball is set up by hand, a length stands on the bar. reading: (n,), mm.
+    an axis is written the wrong way round, which needs no number to agree, a ball is set up by hand, a length stands on
+    the bar. reading: (n,), mm.
     """
     every = slice(None, None, max(positions.shape[1] // MOST_FITTED, 1))
     positions = np.ascontiguousarray(positions[:, every])
     length = cast(float, run.length) + reading[every]
+    silent = _silent(model)
     causes = [
-        *_dimensions(model, run, positions, length),
+        *_dimensions(model, run, positions, length, silent),
+        *_senses(model, run, positions, length),
+        *_dimensions(model, run, positions, length, [name for name in model.dimensions if name not in silent]),
         *_ball(model, run, positions, length),
         *_length(model, run, positions, length),
     ]
-    silent = [name for name in model.dimensions if name not in model.errors.parameters]
     hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
     if not causes:
         return f"points, positions and length that agree{hint}"
@@ -125,8 +133,54 @@ def _ball_causes(model: MachineModel, run: Run, positions: FloatArray, reading: 
     return f"{first}{'; '.join(causes)}{hint}"
 
 
-def _dimensions(model: MachineModel, run: Run, positions: FloatArray, length: FloatArray) -> Iterator[str]:
-    for name in model.dimensions:
+def _senses(model: MachineModel, run: Run, positions: FloatArray, length: FloatArray) -> Iterator[str]:
+    for row, axis in enumerate(model.axes):
+        off = np.abs(np.linalg.norm(ideal_bar(model, run, _other_way(positions, row)), axis=0) - length)
+        if positions[row].any() and float(off.max()) <= OFF:
+            yield f"does {axis} move the other way? ({SENSE.format(axis=axis)})"
+
+
+def _other_way(positions: FloatArray, row: int) -> FloatArray:
+    """(n_axes, n): as if one axis moved the other way."""
+    found = positions.copy()
+    found[row] *= -1.0
+    return found
+
+
+def _tip_faults(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> list[Fault]:
+    """Of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other way.
+
+    Where no axis does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
+    """
+    moving = {axis for axis, at in zip(model.axes, positions, strict=True) if np.ptp(at) > 0.0}
+    way = _of_tip(model, run, positions)
+    if not (moving & set(LINEAR) and moving & set(ROTARY)) or way <= SET_UP["probe"]:
+        return []
+    left = {}
+    for row, axis in enumerate(model.axes):
+        if axis in moving:
+            home = {**run.home, axis: -run.home[axis]} if axis in run.home else run.home
+            left[axis] = _of_tip(model, replace(run, home=home), _other_way(positions, row))
+    others = [axis for axis, off in left.items() if off <= SET_UP["probe"]]
+    if not others:
+        return []
+    named, within = enumerated(others, "or"), max(SMALLEST_OFF, *(left[axis] for axis in others))
+    problem = (
+        f"the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if {named} moved the other way, it "
+        f"would stay there within {within:.2g} mm"
+    )
+    return [Fault(str(folder / FILE_NAME), f"run {run.id}", problem, SENSE.format(axis=named))]
+
+
+def _of_tip(model: MachineModel, run: Run, positions: FloatArray) -> float:
+    moved = relative_motion(model, run, positions)
+    return float(np.linalg.norm(moved - moved[:, :1], axis=0).max())
+
+
+def _dimensions(
+    model: MachineModel, run: Run, positions: FloatArray, length: FloatArray, names: Sequence[str]
+) -> Iterator[str]:
+    for name in names:
         given = model.errors.parameters.get(name, 0.0)
         bars = [ideal_bar(_with(model, name, value), run, positions) for value in (given, given + 1.0)]
 
