@@ -1,5 +1,7 @@
 """The table of runs: worst first, with what noise alone gives, so that what is unusual is seen."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -53,6 +55,19 @@ def test_noise_alone_is_seldom_unusual() -> None:
     draw = np.random.default_rng(4)
     sets = [residuals(draw.normal(0.0, 1e-3, (40, EACH)), known=True) for _ in range(400)]
     assert sum(any(one.unusual for one in run_residuals(each, RUNS)) for each in sets) <= 10  # 4 expected
+
+
+def test_noise_that_few_repeats_tell_makes_no_good_run_unusual() -> None:
+    """Noise from six degrees of freedom is half of the true one now and then: it counted as known."""
+    draw, freedom = np.random.default_rng(6), 6
+    sets = []
+    for _ in range(400):
+        one = residuals(draw.normal(0.0, 1e-3, (8, EACH)), known=True)
+        noise = one.noise * np.sqrt(draw.chisquare(freedom) / freedom)
+        sets.append(replace(one, noise=noise, noise_freedom=dict.fromkeys(range(8), float(freedom))))
+    assert sum(any(one.unusual for one in run_residuals(each, RUNS)) for each in sets) <= 10
+    as_known = [replace(each, noise_freedom={}) for each in sets]
+    assert sum(any(one.unusual for one in run_residuals(each, RUNS)) for each in as_known) > 80
 
 
 def test_slow_noise_scatters_as_fewer_readings() -> None:

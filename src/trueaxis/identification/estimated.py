@@ -22,12 +22,12 @@ from trueaxis.identification.fit_quality import (
     NotConvergedError,
     Residuals,
     expected_sizes,
-    noise_of_repeats,
     noise_remedies,
     quality,
     run_residuals,
 )
 from trueaxis.identification.misreadings import with_misread
+from trueaxis.identification.repeat_noise import noise_of_repeats
 from trueaxis.identification.report import Identification
 from trueaxis.identification.usual_sizes import by_usual_sizes
 from trueaxis.identification.weighting import NoiseModel, weighting
@@ -165,17 +165,20 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
     sizes = expected_sizes(model, observed.runs, observed.run, observed.positions)
     # no allowance for what a model lacks where the noise is stated: values follow a noise that is too small
     sizes = None if sizes is None else np.where(np.isfinite(of_runs), 0.0, sizes)
+    by_repeats, freedom = noise_of_repeats(observed)
+    of_repeats = np.isnan(of_runs) & np.isfinite(by_repeats)
     return Residuals(
         run=observed.run,
         count=good.astype(np.float64),
         squares=np.where(good, found.readings.residual, 0.0) ** 2,
-        noise=np.where(np.isfinite(of_runs), of_runs, noise_of_repeats(observed)),
+        noise=np.where(np.isfinite(of_runs), of_runs, by_repeats),
         size=sizes,
         freedom=int(found.readings.freedom),
         copied=tuple(copied_runs(observed).tolist()),
         estimated=estimated,
         independent=independent,
         stated=tuple(sorted(noise)),
+        noise_freedom=dict(zip(observed.run[of_repeats].tolist(), freedom[of_repeats].tolist(), strict=True)),
     )
 
 

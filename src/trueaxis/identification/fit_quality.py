@@ -8,13 +8,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.special import chdtri
+from scipy.special import chdtri, fdtri
 
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, units
-from trueaxis.estimation.observations import Observations, pure_error
+from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import noise_groups
-from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import SmallUnit, small_unit
@@ -91,7 +90,8 @@ class Residuals:
     errors of their prior sizes, mm; None without a prior; freedom: degrees of freedom left; copied: runs, by index,
     whose repeats are mostly equal to the last digit; estimated: (n,), as noise where that is not known, which then
     judges no fit but shows which runs stand out; independent: of runs, by index, how many independent readings scatter
-    as its readings; else all of them do; stated: runs, by index, whose noise was stated; else it is that of repeats.
+    as its readings; else all of them do; stated: runs, by index, whose noise was stated; else it is that of repeats;
+    noise_freedom: degrees of freedom that tell the noise of runs, by index; else it is known.
     """
 
     run: IntArray
@@ -104,6 +104,7 @@ class Residuals:
     estimated: FloatArray | None = None
     independent: Mapping[int, float] = field(default_factory=dict)
     stated: tuple[int, ...] = ()
+    noise_freedom: Mapping[int, float] = field(default_factory=dict)
 
 
 class NotConvergedError(RuntimeError):
@@ -119,16 +120,6 @@ def stands_still(step: FloatArray, u: FloatArray, sigma: float | None) -> bool:
     """Whether the last step (n,), mm, is small; u: (n,), standard uncertainties for readings of noise 1; sigma: mm."""
     largest = STEP * u * max(sigma or 0.0, RESOLUTION)
     return bool(np.all(np.abs(step) <= np.maximum(largest, LEAST_STEP)))
-
-
-def noise_of_repeats(observed: Observations) -> FloatArray:
-    """(n,): standard deviation of each reading from repeats of its group of runs, mm; NaN where it has too few."""
-    names, of_run = np.unique(noise_groups(observed.runs), return_inverse=True)
-    group = of_run[observed.run]
-    squares, freedom = pure_error(observed, group, names.size)
-    enough = freedom >= LEAST_FREEDOM
-    of_group = np.where(enough, np.sqrt(squares / np.maximum(freedom, 1)), np.nan)
-    return np.asarray(of_group[group])
 
 
 def expected_sizes(
@@ -225,7 +216,9 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
             readings=int(count[index]),
             rms_um=float(of_run) * 1e3,
             ratio=float(ratio[index]) if known[index] else None,
-            most=_most(residuals.independent.get(index, float(count[index])), present.size),
+            most=_most(
+                residuals.independent.get(index, float(count[index])), residuals.noise_freedom.get(index), present.size
+            ),
             unit=small_unit(runs[index].instrument),
         )
         for index, of_run in zip(present.tolist(), rms, strict=True)
@@ -233,9 +226,11 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
     return tuple(sorted(found, key=lambda one: (-(one.rms_um if one.ratio is None else one.ratio), one.run)))
 
 
-def _most(independent: float, runs: int) -> float:
-    """Ratio that the largest of so many runs exceeds in `UNUSUAL` of the data sets."""
-    return float(np.sqrt(chdtri(independent, UNUSUAL / runs) / independent))
+def _most(independent: float, noise_freedom: float | None, runs: int) -> float:
+    """Ratio that the largest of so many runs exceeds in `UNUSUAL` of the data sets; noise_freedom: None: known."""
+    if noise_freedom is None:
+        return float(np.sqrt(chdtri(independent, UNUSUAL / runs) / independent))
+    return float(np.sqrt(fdtri(independent, noise_freedom, 1.0 - UNUSUAL / runs)))
 
 
 def _with_discrepancy(residuals: Residuals) -> FloatArray:

@@ -11,7 +11,7 @@ from trueaxis.compensation.report import CompensationReport
 
 def warnings_of(report: CompensationReport) -> tuple[str, ...]:
     """In the order in which they are told."""
-    own = (_unplaced, _hardly_known, _shifted, _apart)
+    own = (_unplaced, _hardly_known, _by_usual_sizes, _shifted, _apart)
     return (*(sentence for each in own for sentence in each(report)), *report.warnings)
 
 
@@ -38,6 +38,19 @@ def _hardly_known(report: CompensationReport) -> list[str]:
         f"the tool point is known to a standard uncertainty of {1e3 * known.largest_u:.3g} um only (from "
         f"{known.datum}, in one coordinate), and at most {1e3 * report.before.largest:.3g} um are corrected: {why}"
     ]
+
+
+def _by_usual_sizes(report: CompensationReport) -> Iterator[str]:
+    """That they do so by the usual sizes of what is unknown of instruments, which few values made smaller."""
+    known = None if report.reliance is None else report.reliance.uncertainty
+    if known is None or known.largest_u_usual is None or report.before is None:
+        return
+    if known.largest_u <= report.before.largest < known.largest_u_usual:
+        yield (
+            f"u, {1e3 * known.largest_u:.3g} um, rests on instruments that were set up far better than usual, as few "
+            f"values have it; by the usual sizes it is {1e3 * known.largest_u_usual:.3g} um, more than is corrected: "
+            "see the note of identify"
+        )
 
 
 def _shifted(report: CompensationReport) -> Iterator[str]:

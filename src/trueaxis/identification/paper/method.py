@@ -14,7 +14,6 @@ from trueaxis.identification.fit_quality import (
     NotConvergedError,
     Residuals,
     expected_sizes,
-    noise_of_repeats,
     quality,
     stands_still,
 )
@@ -37,6 +36,7 @@ from trueaxis.identification.paper.solution import (
 )
 from trueaxis.identification.paper.squareness import LinesFromAngles, Squareness, covered, squareness_rule
 from trueaxis.identification.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
+from trueaxis.identification.repeat_noise import noise_of_repeats
 from trueaxis.identification.report import CurveOrderReport, Identification, IdentificationReport
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.measurement.machine import FloatArray
@@ -124,11 +124,12 @@ def _quality(
 ) -> FitQuality:
     """noise: that of the fit, and what was given, um."""
     found, given_um = noise
+    known, freedom = np.full(cells.run.size, np.nan if given_um is None else given_um * 1e-3), dict[int, float]()
     if given_um is None:
-        of_run = dict(zip(observed.run.tolist(), noise_of_repeats(observed).tolist(), strict=True))
+        sigma, of_repeats = noise_of_repeats(observed)
+        of_run = dict(zip(observed.run.tolist(), sigma.tolist(), strict=True))
         known = np.array([of_run[run] for run in cells.run.tolist()])
-    else:
-        known = np.full(cells.run.size, given_um * 1e-3)
+        freedom = dict(zip(observed.run.tolist(), of_repeats.tolist(), strict=True))
     squares = cells.repeats * solution.residual**2 + cells.scatter
     size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
     copied = tuple(copied_runs(observed).tolist()) if given_um is None else ()
@@ -142,6 +143,7 @@ def _quality(
             freedom=found.freedom,
             copied=copied,
             stated=() if given_um is None else tuple(np.unique(cells.run).tolist()),
+            noise_freedom={run: of for run, of in freedom.items() if of > 0.0},
         ),
         observed.runs,
     )
