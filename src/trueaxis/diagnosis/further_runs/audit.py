@@ -27,7 +27,7 @@ DETECTION, ISOLATION = 27.0, 21.0
 CONFOUNDED = 0.95
 SMALL = 16  # points of a grid
 AT_ONCE = 64  # columns
-IN_BASE = "the saturated base holds it"
+IN_BASE = "new values of the errors would hold it"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -112,7 +112,7 @@ def absence_sentence(one: Absence) -> str:
         case "instrument":
             without = enumerated([_INSTRUMENTS[name] for name in one.lacking], "or")
             where = f"without {without}" if without else "in these runs"
-            return f"{where}: {enumerated(one.kinds)} cannot be distinguished from a recalibration"
+            return f"{where}: {enumerated(one.kinds)} cannot be distinguished from new values of the errors"
         case "one_side":
             return f"lines of {one.place} from one side only: they show nothing of its backlash"
         case "one_direction":

@@ -2,10 +2,11 @@
 
 import math
 
-from trueaxis.diagnosis.result import Cause, Gain
+from trueaxis.diagnosis.result import Cause, Diagnosis, Gain
 from trueaxis.identification.words import enumerated
 from trueaxis.reporting.diagnosis.quantity import micrometres, percent, written
 
+MORE = 1.5  # times what is left with new values, from where on it is said what the model as given leaves more
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
 
 
@@ -15,6 +16,17 @@ def held_out_change(cause: Cause) -> str:
     if cause.or_changed:
         return "no lower than with new values of the errors"
     return f"{'higher' if gain < 0.0 else 'lower'} by {percent(abs(gain))}" if gain else "unchanged"
+
+
+def given_note(diagnosis: Diagnosis) -> str:
+    """Why readings that agree with the model are far from it as given; empty where they are not."""
+    rms = diagnosis.gain.rms
+    if diagnosis.verdict != "no_discrepancy" or not rms.given > MORE * rms.refitted:
+        return ""
+    return (
+        "given is larger than refitted by what instruments may be off by (zeros, slopes, places of balls, scales, each "
+        "within what its device states or instruments of its class have) and values within their u: no discrepancy"
+    )
 
 
 def predicted_scatter(gain: Gain) -> str:

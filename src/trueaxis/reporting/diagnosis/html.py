@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.reporting.diagnosis import further, tables
-from trueaxis.reporting.diagnosis.gain_words import held_out_change, predicted_scatter
+from trueaxis.reporting.diagnosis.gain_words import given_note, held_out_change, predicted_scatter
 from trueaxis.reporting.diagnosis.picture import Picture, Pictures
 from trueaxis.reporting.diagnosis.quantity import UM, URAD, equals_p, micrometres, with_expanded, written
 from trueaxis.reporting.diagnosis.tables import Table
@@ -172,7 +172,7 @@ def _sections(
         Section(
             name="gain",
             title="Before and after",
-            intro=_sentence(predicted_scatter(diagnosis.gain)),
+            intro=" ".join(map(_sentence, filter(None, [predicted_scatter(diagnosis.gain), given_note(diagnosis)]))),
             pictures=pictures["gain"],
             tables=(tables.circularity(diagnosis),),
         ),

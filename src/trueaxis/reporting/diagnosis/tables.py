@@ -9,7 +9,15 @@ from trueaxis.measurement.instrument_kinds import SmallUnit, small_unit
 from trueaxis.reporting.diagnosis.further import proposals
 from trueaxis.reporting.diagnosis.quantity import NBSP, UM, URAD, micrometres, percent, probability, quantity, written
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
-from trueaxis.reporting.diagnosis.words import ESTIMATED, effect_title, in_words, noise_origin, rival_title, stale_range
+from trueaxis.reporting.diagnosis.words import (
+    ESTIMATED,
+    effect_title,
+    in_words,
+    noise_origin,
+    rival_title,
+    size_of,
+    stale_range,
+)
 
 R2 = "R\N{SUPERSCRIPT TWO}"
 MOST_IN_SIGHT = 12  # rows, each of up to two lines, before the frame of a table scrolls
@@ -95,15 +103,15 @@ def errors(diagnosis: Diagnosis) -> Table:
 def rivals(cause: Cause) -> Table:
     """What explains the readings about as well as the cause."""
     rows = tuple(
-        (rival_title(one), _short(one.evidence), probability(one.p_value))
+        (rival_title(one), size_of(one), _short(one.evidence), probability(one.p_value))
         for one in sorted(cause.rivals, key=lambda one: -one.evidence)
     )
-    own = (effect_title(cause.effect), _short(cause.evidence), probability(cause.p_value))
+    own = (effect_title(cause.effect), size_of(cause), _short(cause.evidence), probability(cause.p_value))
     return Table(
         caption="Cannot be distinguished from",
-        head=("candidate", "evidence", "p"),
+        head=("candidate", "size", "evidence", "p"),
         rows=(own, *rows),
-        numbers=frozenset({1, 2}),
+        numbers=frozenset({2, 3}),
         printed=MOST_PRINTED,
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.effects.library import BY_NAME
 from trueaxis.reporting.diagnosis.further import of_verdict, proposals, separating_run, warnings
-from trueaxis.reporting.diagnosis.gain_words import held_out_change, predicted_scatter
+from trueaxis.reporting.diagnosis.gain_words import given_note, held_out_change, predicted_scatter
 from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, probability, with_expanded
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
 from trueaxis.reporting.diagnosis.words import (
@@ -46,6 +46,7 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         f"stale: {stale_change(one)} (p of the whole change {probability(one.p_value)})" for one in diagnosis.stale
     )
     yield from _gain(diagnosis.gain)
+    yield from filter(None, [given_note(diagnosis)])
     further = of_verdict(diagnosis)
     yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in further)
     if others := len(proposals(diagnosis)) - len(further):

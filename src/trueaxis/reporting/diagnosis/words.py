@@ -63,7 +63,7 @@ def joint(effect: Effect) -> str:
     return f"{error} of the {axis} axis in {name.direction.line} ({name})"
 
 
-def size_of(cause: Cause) -> str:
+def size_of(cause: Cause | Evidence) -> str:
     """`width 6.10 um +/- 0.40 um (k = 2)`, of the first parameter."""
     if not cause.parameters:
         return ""
@@ -182,7 +182,7 @@ _MEANING: dict[Verdict, str] = {
         "shown with the size that it would have, with its rivals and the run that would tell them apart."
     ),
     "unexplained_structure": (
-        "To name the nearest candidate would be a guess: with none of them the residuals are noise. The checks say "
+        "No effect of the library leaves noise alone, so that to name the nearest one would be a guess. The checks say "
         "what the structure looks like. Search there, by hand or with an effect kind of your own in the machine file."
     ),
 }
