@@ -12,7 +12,7 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.diagnosis.extend import named_effects
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import MeasuredData
@@ -44,7 +44,7 @@ def said(added: FloatArray, stated: float | None = STATED) -> Diagnosis:
     data = in_two_sessions(stated)
     scatter = SIGMA * np.random.default_rng(4).standard_normal(added.size)
     readings = replace(data.readings, reading=data.readings.reading + scatter + added)
-    return diagnose(given().model, replace(data, readings=readings))
+    return diagnose(given().model, replace(data, readings=readings), DiagnoseOptions(extend=lambda _: given().model))
 
 
 def scaled(by: float, only: str = "") -> FloatArray:
@@ -68,6 +68,7 @@ def test_a_session_whose_scale_is_off_is_named_with_its_size(by: float) -> None:
     assert k.u < 2.0 * STATED
     assert named_effects(found) == ()  # no machine has it
     assert found.gain.rms.given < 2.0 * SIGMA  # what the machine is given is judged without it
+    assert all(abs(one.change) < 4.0 * one.u for one in found.errors if one.change is not None)  # and identified anew
 
 
 @pytest.mark.parametrize(

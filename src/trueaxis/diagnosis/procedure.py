@@ -17,6 +17,7 @@ from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.further_runs.audit import audit
 from trueaxis.diagnosis.further_runs.prospect import prospect_of
 from trueaxis.diagnosis.judging.gain import fit, gain_by_unit, held_out, predicted
+from trueaxis.diagnosis.judging.instruments import Off
 from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
 from trueaxis.diagnosis.judging.scale_off import less_scale_off
 from trueaxis.diagnosis.judging.stale import Changes
@@ -71,6 +72,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("noise")
     null = _given(null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um), model, options)
     null, off = less_scale_off(null, options.noise_um)
+    data = _less(data, null.rows, off)
     null, ground, judged, changes = _with_runs(model, null, options)
     judged = replace(judged, off=(*off, *judged.off))
     # neither needs the other: where there are threads both are worked out at once
@@ -91,6 +93,14 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         return replace(before, errors=anew.errors, values=anew.values, settled=anew.settled)
     judged, changes = beside_misfits(ground, judged, changes, anew.misfits)
     return replace(record(_outcome(ground, null, judged, changes)), errors=anew.errors)
+
+
+def _less(data: MeasuredData, rows: Rows, off: Sequence[Off]) -> MeasuredData:
+    """The readings without what scales that are off make of them."""
+    reading = data.readings.reading.copy()
+    for one in off:
+        reading[rows.row] -= one.signal
+    return replace(data, readings=replace(data.readings, reading=reading)) if off else data
 
 
 def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Outcome:

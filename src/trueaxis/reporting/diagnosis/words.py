@@ -155,7 +155,7 @@ def explanation(diagnosis: Diagnosis) -> str:
             "of a reading."
         )
     if diagnosis.misfits:
-        return f"N{misfit(diagnosis).removeprefix('n')}. {_BESIDE_MISFITS}"
+        return f"I{_ASK_OF_MISFITS.removeprefix('i')}. {_BESIDE_MISFITS}"
     return f"{meaning} {_detail(diagnosis)}".rstrip()
 
 
@@ -187,6 +187,10 @@ _MEANING: dict[Verdict, str] = {
     ),
 }
 
+_ASK_OF_MISFITS = (
+    "is the sign of the readings right, is direction, do they belong to this run, is its set-up as setup.toml says? "
+    "The command identify says by how much they are off, and whether a run reads as if one of these were wrong"
+)
 _BESIDE_MISFITS = (
     "A run that is wrong spoils what is fitted to all: no cause, no stale value and no check is to be believed beside "
     "it. Put it right or leave it out, and diagnose again."
@@ -256,11 +260,7 @@ def misfit(diagnosis: Diagnosis) -> str:
     """Runs that no errors of the machine fit; empty where there are none."""
     if not diagnosis.misfits:
         return ""
-    return (
-        f"no errors of the machine fit {misfits_named(diagnosis)}: is the sign of the readings right, is `direction`, "
-        "do they belong to this run, is its set-up as setup.toml says? `identify` says by how much they are off, and "
-        "whether a run reads as if one of these were wrong"
-    )
+    return f"no errors of the machine fit {misfits_named(diagnosis)}: {_ASK_OF_MISFITS}"
 
 
 def misfits_named(diagnosis: Diagnosis) -> str:
