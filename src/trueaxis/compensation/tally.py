@@ -139,9 +139,9 @@ class Tally:
             origins, points = (self._controlled.axis_positions(at, self._tool_point) for at in (origins, points))
             ends = np.diff(path.owner, append=-1) != 0
             self._kinematics.add(path.points, points, lines, ~ends | places.elsewhere.any(axis=0))
-        from_there = path.rapid & np.append(self._silent, silent)[:-1]
-        self._silent = bool(silent[-1])
-        origins, seen = np.where(from_there, np.nan, origins), ~(silent | places.unplaced)
+        so_far = np.append(self._silent, silent)
+        self._silent = bool(so_far[-1])
+        origins, seen = np.where(path.rapid & so_far[:-1], np.nan, origins), ~(silent | places.unplaced)
         self.visited[self._setup].add(origins[:, seen], points[:, seen], moved[:, seen], ~path.rapid[seen])
 
     def _stopped(

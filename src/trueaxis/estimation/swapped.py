@@ -128,7 +128,8 @@ def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Direction]:
     along = np.linalg.svd(moved, full_matrices=False)[0][:, 0]
     axes = [*np.eye(3), *([along] if moved.any() and np.abs(along).max() < 1.0 - ALONG else [])]
     others = [axis for axis in axes if np.linalg.norm(np.cross(axis, own)) > ALONG]
-    return [(float(x), float(y), float(z)) for axis in others for x, y, z in (axis + 0.0, 0.0 - axis)]
+    both_ways = (one for axis in others for one in (axis + 0.0, 0.0 - axis))  # no zero with a sign
+    return [(float(x), float(y), float(z)) for x, y, z in both_ways]
 
 
 def _sensing(

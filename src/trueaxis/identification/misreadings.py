@@ -20,7 +20,6 @@ READS: Mapping[How, str] = {
     "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
     "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
     "swapped": "as if the readings were those of another run",
-    "turned": "as if its direction in setup.toml were another",
 }
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.

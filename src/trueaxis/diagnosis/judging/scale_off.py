@@ -16,7 +16,9 @@ from trueaxis.diagnosis.null_model.freedom import freedom_of
 from trueaxis.diagnosis.null_model.null import Null, again
 from trueaxis.effects.kind import Effect
 
-RIGHT = 1e-2  # p value of the values given from which on they are right beside a scale
+# p value of the values given from which on they are right beside a scale: of true ones one set of a hundred is not, and
+# the scale is then looked for with all else
+RIGHT = 1e-2
 
 
 def less_scale_off(null: Null, noise_um: float | None) -> tuple[Null, tuple[Off, ...]]:
@@ -29,7 +31,7 @@ def less_scale_off(null: Null, noise_um: float | None) -> tuple[Null, tuple[Off,
     base, count = null.base, null.base.by_chance.shape[1]
     unknowns = base.shared[len(base.shared) - count :]
     scales = [k for k, one in enumerate(unknowns) if KINDS.get(one.kind) == "laser_scale"]
-    found = dict[float, Off]()  # by the decades of likelihood that each explains
+    found: list[tuple[float, Off]] = []  # with the decades of likelihood that each explains
     for k in scales if len(scales) > 1 else ():
         unknown, column = unknowns[k], base.by_chance[:, k]
         others = replace(null, base=replace(base, by_chance=np.delete(base.by_chance, k, axis=1)))
@@ -46,14 +48,17 @@ def less_scale_off(null: Null, noise_um: float | None) -> tuple[Null, tuple[Off,
             continue
         runs = tuple(null.rows.runs[index].id for index in unknown.runs if index in null.rows.present)
         size = np.array([unknown.size])
-        found[0.5 * value**2 * information / np.log(10.0)] = Off(
+        off = Off(
             effect=Effect(kind="laser_scale", runs=runs),
             values=value * size,
             u=u * size,
             p_value=p_value,
             signal=value * column,
         )
-    if not found or sum(decades > max(found) - ALIKE for decades in found) > 1:
+        found.append((0.5 * value**2 * information / float(np.log(10.0)), off))
+    if not found:
         return null, ()
-    off = found[max(found)]
+    most, off = max(found, key=lambda one: one[0])
+    if sum(decades > most - ALIKE for decades, _ in found) > 1:
+        return null, ()
     return replace(again(null, off.signal, noise_um), values=null.values - off.signal), (off,)
