@@ -52,6 +52,22 @@ def test_it_is_at_the_end_of_a_block(bench: Bench) -> None:
     assert bench.report.sign_check.position["X"] == pytest.approx(50.0, abs=5.0)
 
 
+def test_it_is_where_no_rotary_axis_is_turned_if_a_gauge_shows_enough_there(bench: Bench) -> None:
+    """Along a table that stands turned nobody sets a gauge easily."""
+    machine = FiveAxes(TEXTS["table-table"]).model
+    faces = [(0.0, "X100. Y50. Z20."), (90.0, "X-200. Y240. Z-180.")]
+    for order in (faces, faces[::-1]):
+        cuts = "".join(f"G0 X0. Y0. Z0. A0. C{turned}\nG1 {there} F500\n" for turned, there in order)
+        bench.run(f"G21 G90 G94\n{cuts}", machine)
+        check = bench.report.sign_check
+        assert check is not None
+        assert (check.position["A"], check.position["C"]) == (0.0, 0.0)
+        assert abs(check.since_home) > 0.005
+    bench.run("G21 G90 G94\nG0 X0. Y0. Z0. A0. C90.\nG1 X-200. Y240. Z-180. F500\n", machine)
+    assert bench.report.sign_check is not None
+    assert bench.report.sign_check.position["C"] == 90.0
+
+
 def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
     text = bench.run("G21 G90\nG0 X0. Y0. Z0.\nY200.\n", XyzMachine({"EYY": lambda y: -6e-5 * y}))
     # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-

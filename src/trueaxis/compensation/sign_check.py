@@ -125,6 +125,9 @@ class KinematicsChecker:
 
 
 _SHOWS = 1.0  # mm: less is hardly told from the corrections themselves
+_CLEAR = (
+    0.005  # mm: what a gauge shows clearly where the table is not turned; a gauge along a turned one is hard to set
+)
 
 
 class SignChecker:
@@ -134,7 +137,9 @@ class SignChecker:
         self._model, self._tool_point = model, tool_point
         self._home = home_of(model)
         self._at_home = model.deviation(self._home[:, None], tool_point)
-        self._largest = [least] * 3  # at ends of feed motions; within them; at ends of rapids
+        self._rotary = list(rotary_rows(model.axes))
+        # at ends of feed motions with rotary axes at home; of any; within them; at ends of rapids
+        self._largest = [max(least, _CLEAR), least, least, least]
         self.found: SignCheck | None = None
 
     def use(self, tool_point: FloatArray) -> None:
@@ -149,17 +154,20 @@ class SignChecker:
         """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written; left_out:
         (n,), points whose commands are not those of the compensation alone; datum: (3, 1), what corrections count from.
 
-        Feed motions come first, where the part is cut, and of them the ends, whose words are in the program.
+        Feed motions come first, where the part is cut, and of them the ends, whose words are in the program: those with
+        rotary axes at home, where a gauge shows enough there.
         """
         since = np.where(left_out, 0.0, np.abs(np.nan_to_num(deviation - self._at_home)))
         if since.max() <= min(self._largest):
             return
         ends = np.diff(path.owner, append=-1) != 0
-        for rank, mine in enumerate((~path.rapid & ends, ~path.rapid, path.rapid)):
+        at_home = (path.points == self._home[:, np.newaxis])[self._rotary].all(axis=0)
+        fed = ~path.rapid & ends
+        for rank, mine in enumerate((fed & at_home, fed, ~path.rapid, path.rapid)):
             direction, point = np.unravel_index(np.argmax(since * mine), since.shape)
             size = float((since * mine)[direction, point])
             if size > self._largest[rank]:
-                self._largest[rank:] = [size] + [np.inf] * (2 - rank)
+                self._largest[rank:] = [size] + [np.inf] * (len(self._largest) - rank - 1)
                 self._note(path, deviation, commands, lines, (int(direction), int(point)), datum)
 
     def _note(
