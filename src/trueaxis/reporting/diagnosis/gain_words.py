@@ -19,10 +19,15 @@ def held_out_change(cause: Cause) -> str:
 
 
 def given_note(diagnosis: Diagnosis) -> str:
-    """Why readings that agree with the model are far from it as given; empty where they are not."""
+    """Why readings are far from the model as given; empty where they are not."""
     rms = diagnosis.gain.rms
-    if diagnosis.verdict != "no_discrepancy" or not rms.given > MORE * rms.refitted:
+    if not rms.given > MORE * rms.refitted:
         return ""
+    if diagnosis.verdict != "no_discrepancy":
+        return (
+            "given: every set-up exactly as setup.toml has it; balls and spheres that stand elsewhere, lengths and "
+            "scales that are off are in it, too, and are no errors of the machine"
+        )
     return (
         "given is larger than refitted by what instruments may be off by (zeros, slopes, places of balls, scales, each "
         "within what its device states or instruments of its class have) and values within their u: no discrepancy"
