@@ -13,9 +13,11 @@ from tests.identification.test_paper import DIMENSIONS
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.instruments import CLASSES
+from trueaxis.identification.error_lines import by_usual_sizes
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification
 from trueaxis.identification.report_text import report_json
+from trueaxis.identification.usual_sizes import LargerU
 from trueaxis.model.errors import ErrorValues
 
 GIVEN = IdentifyOptions(known=ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
@@ -62,3 +64,9 @@ def test_a_size_from_few_values_is_said_with_u_by_the_usual_one(monkeypatch: pyt
 @pytest.mark.parametrize("estimation", [EstimationOptions(prior=False), EstimationOptions(ideal=True)])
 def test_nothing_is_said_where_no_size_is_estimated_or_the_prior_has_no_part(estimation: EstimationOptions) -> None:
     assert not notes_of(identified(replace(GIVEN, estimation=estimation)))
+
+
+def test_an_error_whose_u_rests_on_such_sizes_has_both_in_its_line() -> None:
+    one = LargerU(name="EX0B", u=9.92e-3, u_usual=45.4e-3, unit="mm")
+    assert by_usual_sizes(one) == "; by the usual sizes u 45.4"
+    assert by_usual_sizes(None) == ""

@@ -2,6 +2,7 @@
 
 from trueaxis.error_name import ErrorName
 from trueaxis.identification.report import ComponentReport, LocationReport
+from trueaxis.identification.usual_sizes import LargerU
 from trueaxis.identification.words import parts_of_u
 from trueaxis.io.safe_text import plain_zero
 
@@ -52,3 +53,8 @@ def small_size(value: float, unit: str) -> tuple[float, str]:
     if unit == "1":
         return plain_zero(value * MICRO), "ppm"
     return (plain_zero(value * 1e3), "um") if unit == "mm" else (plain_zero(value * MICRO), "urad")
+
+
+def by_usual_sizes(one: LargerU | None) -> str:
+    """`; by the usual sizes u 45.4`, where it is far larger."""
+    return "" if one is None else f"; by the usual sizes u {small_size(one.u_usual, one.unit)[0]:.3g}"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identification.error_lines import component_line, location_line, small_size, with_u
+from trueaxis.identification.error_lines import by_usual_sizes, component_line, location_line, small_size, with_u
 from trueaxis.identification.fit_quality import LACKING, MISFIT, MOST_RUNS, UNUSUAL, FitQuality, RunResidual
 from trueaxis.identification.report import (
     BlockReport,
@@ -46,7 +46,8 @@ def report_text(report: IdentificationReport) -> str:
     lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
     if report.locations:
         lines += ["", "location errors:"]
-        lines += [location_line(location) for location in report.locations]
+        usual = {} if report.usual is None else {one.name: one for one in report.usual.errors}
+        lines += [f"{location_line(one)}{by_usual_sizes(usual.get(one.name))}" for one in report.locations]
     lines += _components(report)
     if report.effects:
         lines += ["", "effects (U: expanded uncertainty, k = 2):"]
