@@ -10,6 +10,7 @@ from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measurement.machine import FloatArray
 
 STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
+DECIMALS = 9  # of mm: readings that differ by less are the same
 ROUNDING = 12.0**-0.5  # of a step: the standard deviation of rounding to it
 
 

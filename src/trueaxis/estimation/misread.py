@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.changed import ChangesOfRun, changes_of_run, log_ratio
-from trueaxis.estimation.display import ROUNDING
+from trueaxis.estimation.display import DECIMALS, ROUNDING
 from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
 from trueaxis.estimation.machine import IntArray
@@ -48,7 +48,6 @@ TRIED = 1.0
 MOST_TRIALS = 4
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
-DECIMALS = 9  # of mm: readings that differ by less are the same
 FEWEST_TARGETS = 3
 TARGETS = 6  # decimals of mm or deg, within which targets are the same
 

@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from trueaxis.estimation.changed import changes_of_run, log_ratio
+from trueaxis.estimation.display import DECIMALS
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import beside_others, widest
 from trueaxis.estimation.posterior import Posterior
@@ -99,7 +100,8 @@ def likely_set_ups(
         others = [run for run in runs if run is not one]
         partners = [run for run in others if run.instrument == one.instrument and run.rows.run != one.rows.run]
         directions = _other_directions(fitted, one)
-        if not partners and not directions:
+        told = one.noise_group in {run.noise_group for run in others}  # the noise of the run
+        if not told or not (partners or directions):
             continue
         without, expected = widest(refit(others))
         scale = fitted.scales[one.rows.index]
@@ -119,10 +121,10 @@ def likely_set_ups(
 
 def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Direction]:
     """Along the axes of the measuring frame and along the motion, both ways; not its own, nor the opposite of that,
-    which is its sign.
+    which is its sign. None of a display that never moved: it says nothing of a direction.
     """
     own = one.rows.run.direction
-    if own is None:
+    if own is None or np.ptp(one.reading) <= 10.0**-DECIMALS:
         return []
     moved = relative_motion(fitted.state.layout.model, one.rows.run, one.rows.positions)
     along = np.linalg.svd(moved, full_matrices=False)[0][:, 0]
