@@ -125,9 +125,8 @@ class KinematicsChecker:
 
 
 _SHOWS = 1.0  # mm: less is hardly told from the corrections themselves
-_CLEAR = (
-    0.005  # mm: what a gauge shows clearly where the table is not turned; a gauge along a turned one is hard to set
-)
+# mm: what a gauge shows clearly where the table is not turned; a gauge along a turned one is hard to set
+_CLEAR = 0.005
 
 
 class SignChecker:

@@ -49,9 +49,7 @@ def offsets_used(model: ErrorModel, visited: Mapping[Setup, Visited], settings: 
             setup.system,
             dict(zip(model.axes, setup.values, strict=True)),
             np.array(setup.spread),
-            Datum(
-                _touched(setup.system, settings), point, lengths.get(setup.system, 0.0), turned.get(setup.system, {})
-            ),
+            datum(setup.system),
         )
         for setup, places in used.items()
     )

@@ -263,7 +263,7 @@ def _by_another_set_up(
     """
     wrong = [*contradicting, *sorted(misread, key=lambda index: -misread[index].log_odds)]
     found = dict[int, Misread]()
-    for other in likely_set_ups(fitted, wrong, refit):
+    for other in likely_set_ups(fitted, wrong, refit, SURE):
         if isinstance(other, Turned):
             relabelled = setting.observed.turned(other.index, other.direction)
         else:

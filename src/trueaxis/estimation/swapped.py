@@ -19,7 +19,6 @@ MOST_ALIKE = 60
 # Runs that are wrong, of which it is asked whose they are and along what, each at the cost of three estimates
 MOST_WRONG = 3
 ALONG = 1e-6  # sine of an angle up to which two directions are one
-AS_NOISE = float(2.0 * np.log(1e3))  # minus the logarithm of a probability from which on it is not noise that is left
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,10 +88,12 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
 
 
 def likely_set_ups(
-    fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted]
+    fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted], sure: float
 ) -> list[Swap | Turned]:
     """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, and with each
     direction that does as well as noise allows, by an estimate without it; places are indices. None without a prior.
+
+    sure: minus the logarithm of the probability below which what is left is not noise.
     """
     found: dict[object, Swap | Turned] = {}
     runs, few = fitted.state.runs, () if fitted.sizes.flat else wrong[:MOST_WRONG]
@@ -114,7 +115,7 @@ def likely_set_ups(
             first, second = sorted((one.rows.index, max(far, key=lambda index: far[index])))
             found[first, second] = Swap((first, second), len(partners))
         for direction in directions:
-            if beside_others(*_sensing(without, expected, one, direction), {one.rows.index: scale}).log_p > -AS_NOISE:
+            if beside_others(*_sensing(without, expected, one, direction), {one.rows.index: scale}).log_p > -sure:
                 found[one.rows.index, direction] = Turned(one.rows.index, direction, len(directions))
     return list(found.values())
 

@@ -21,7 +21,8 @@ SETTLED = 0.2  # of the duration of a run: its time constant of settling
 MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
 AS_FREE = 1e4  # standard deviations of the noise: a drift as large is free, and a covariance still has its inverse
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
-# entries of a run's columns, below which all runs are whitened at once: the calls for each take longer than the work
+# Entries of a run's columns, below which all runs are whitened at once: the calls for each take longer than the work.
+# Of 48 runs of 105 readings one column took 0.4 of the time, four 0.7, and eight the same.
 SMALL = 500
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
