@@ -17,7 +17,7 @@ from trueaxis.estimation.left_out import _far, _Rows, beside_all, beside_others
 from trueaxis.estimation.misread import SURE
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import moved as moved_state
+from trueaxis.estimation.steps import moved as moved_state
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.model.errors import ErrorValues
 
@@ -101,7 +101,7 @@ def test_however_many_readings_the_form_of_noise_is_no_better_known(times: float
     degree of freedom for each of 2000 readings, circles with play that is not quite of its form contradicted all.
     """
     none = np.zeros((25, 0))
-    run = _Rows(own=none, others=none, sizes=np.zeros((0, 1)), left=np.full(25, times), noise=1.0)
+    run = _Rows(own=none, others=none, sizes=np.zeros((0, 1)), left=np.full(25, times), noise=1.0, beside=0.0)
     far = _far([run], np.eye(25))
     assert far.times == pytest.approx(times)
     assert (far.log_p < -SURE) is sure

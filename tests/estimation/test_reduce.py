@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.estimation.test_state import GIVEN, begun
+from tests.estimation.test_steps import GIVEN, begun
 from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import mixed_data
 from trueaxis.estimation import jacobian

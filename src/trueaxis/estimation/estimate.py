@@ -26,7 +26,8 @@ from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, Rea
 from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, SEARCH_ROUNDS, determined, settled
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import State, linearised, moved, of_runs, started
+from trueaxis.estimation.state import State, linearised, of_runs, started
+from trueaxis.estimation.steps import moved
 from trueaxis.estimation.swapped import Turned, likely_set_ups
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
@@ -259,9 +260,11 @@ def _by_another_set_up(
     """The two runs that were made each by the set-up of the other, or the one that sensed along another direction, if
     that explains most of what is wrong.
 
-    Positions go with the readings: other than where readings alone are in each other's place.
+    Positions go with the readings: other than where readings alone are in each other's place. What all runs of an
+    instrument have is not the set-up of one.
     """
-    wrong = [*contradicting, *sorted(misread, key=lambda index: -misread[index].log_odds)]
+    single = (index for index, one in misread.items() if not one.together)
+    wrong = [*contradicting, *sorted(single, key=lambda index: -misread[index].log_odds)]
     found = dict[int, Misread]()
     for other in likely_set_ups(fitted, wrong, refit, SURE):
         if isinstance(other, Turned):

@@ -90,11 +90,11 @@ class _Point:
 
 
 def best_sizes(
-    sizes: Sizes, reduced: Reduced, start: FloatArray, held: Sequence[int] = ()
+    sizes: Sizes, reduced: Reduced, start: FloatArray, held: Sequence[int] = (), gain: float = NO_GAIN
 ) -> tuple[FloatArray, Posterior]:
     """The sizes of largest marginal likelihood, looked for from `start` on, and the posterior at them.
 
-    held: sizes that stay at the start.
+    held: sizes that stay at the start; gain: of a step, in the logarithm of the likelihood, for which it is taken.
 
     By steps of Newton's method, halved until the likelihood grows; the information is at first the expected one, and
     then learns from the steps (the formula of Broyden, Fletcher, Goldfarb and Shanno).
@@ -108,7 +108,7 @@ def best_sizes(
         free[list(held)] = False
         step = np.zeros(x.size)
         step[free] = np.linalg.solve(information[np.ix_(free, free)], slope[free])
-        while float(slope @ step) > NO_GAIN:
+        while float(slope @ step) > gain:
             there = np.clip(x + step, -FARTHEST, FARTHEST)
             after = _point(sizes, reduced, batches, there)
             if after.value - 0.5 * float(there @ there) > at.value - 0.5 * float(x @ x):

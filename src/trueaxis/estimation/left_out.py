@@ -44,11 +44,13 @@ Group = tuple[int, ...]  # runs, by their index
 @dataclass(frozen=True, slots=True)
 class Far:
     """How far runs are from what others let expect. log_p: logarithm of the probability that noise takes them as far;
-    times: root mean square of that, in units of its standard deviation.
+    times: root mean square of that, in units of its standard deviation; log_density: of whitened readings, but for a
+    constant.
     """
 
     log_p: float
     times: float
+    log_density: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -71,7 +73,7 @@ class Contradiction:
 class _Rows:
     """A run in the r directions in which unknowns may change its readings: own (r, k), whitened derivatives by its own
     unknowns in their sizes (k, 1), mm or rad, and others (r, n); left: (r,), what is left of the readings; noise:
-    variance of what is left in all other directions.
+    variance of what is left in all other directions; beside: minus twice the logarithm of the density of that.
     """
 
     own: FloatArray
@@ -79,6 +81,7 @@ class _Rows:
     sizes: FloatArray
     left: FloatArray
     noise: float
+    beside: float
 
 
 Without = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of some runs
@@ -255,12 +258,15 @@ def _rows(
     rest = triangle[:, -1] - directions @ (directions.T @ triangle[:, -1])
     further = max(int(one.good.sum()) - directions.shape[1], 0)
     usual = 1.0 if one.noise_group in state.stated else 1.0 / scale**2
+    square = float(rest @ rest)
+    noise = (AS_MANY * usual + square) / (AS_MANY + further)
     return _Rows(
         own=directions.T @ by_size[:, : sizes.size],
         others=directions.T @ triangle[:, sizes.size : -1],
         sizes=sizes[:, np.newaxis],
         left=directions.T @ triangle[:, -1],
-        noise=(AS_MANY * usual + float(rest @ rest)) / (AS_MANY + further),
+        noise=noise,
+        beside=square / noise + further * float(np.log(noise)),
     )
 
 
@@ -275,4 +281,5 @@ def _far(rows: Sequence[_Rows], covariance: FloatArray, least: float = 0.0, seen
     variance, turned = np.linalg.eigh(covariance)
     told = variance > least
     square, k = float(np.sum((turned.T @ left)[told] ** 2 / variance[told])), max(int(told.sum()), 1)
-    return Far(log_f_tail(square / k, k, AS_MANY), float(np.sqrt(square / k)))
+    density = -0.5 * (square + float(np.log(variance[told]).sum()) + sum(one.beside for one in rows))
+    return Far(log_f_tail(square / k, k, AS_MANY), float(np.sqrt(square / k)), density)

@@ -10,12 +10,12 @@ from trueaxis.estimation.state import (
     State,
     counting,
     linearised,
-    moved,
     same_readings,
     with_first_noise,
     with_noise,
     without_outliers,
 )
+from trueaxis.estimation.steps import Walk
 from trueaxis.measurement.machine import FloatArray
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
@@ -26,6 +26,9 @@ CONTINUED_ROUNDS = 2  # at least, of an estimate that goes on without some runs:
 # rounds to go: world 9041 of tests/worlds had a slow noise of 0.53 um where there is none
 STEADY = 2
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
+# gain of the logarithm of the likelihood for which the sizes move while the noise does: readings whose noise changes
+# by SETTLED differ by as much
+ROUGHLY = 0.1
 SEED = 20  # of the draws from which the noise is taken
 
 
@@ -41,15 +44,16 @@ def settled(
     x: sizes at first, if they are known.
     """
     draw = np.random.default_rng(SEED)
+    walk = Walk()
     steady, sharp, counted = STEADY if x is not None else 0, False, set[bytes]()
     x = np.zeros(sizes.spread.size) if x is None else x
     for count in range(1, most + 1):
         found = linearised(state)
         if not found.holds(state.layout.of_machine):
             raise NothingHeldError("no reading holds an error of the machine")
-        x, posterior = best_sizes(sizes, found, x)
+        x, posterior = best_sizes(sizes, found, x, gain=ROUGHLY)
         posterior, _ = determined(sizes, posterior)
-        before = moved(state, posterior, sizes.own_scales(x))
+        before = walk.step(state, posterior, sizes.own_scales(x))
         noisy = with_noise(before, posterior, draw, steady >= STEADY)
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in noisy.noise.items())
         state = without_outliers(noisy, posterior, sharp)
@@ -65,6 +69,8 @@ def settled(
         steady = steady + 1 if again else 0
         if steady < STEADY:
             state = with_first_noise(state)
+    state = walk.ended(state)
+    x, _ = best_sizes(sizes, linearised(state), x)
     return x, state, count
 
 

@@ -1,4 +1,4 @@
-"""Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
+"""Where an estimation stands: linearised, whitened, its noise and outliers renewed."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,7 +20,6 @@ from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
 
-NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
 # of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
 DRAWS, DRAWN = 8, 40_000
@@ -167,50 +166,6 @@ def linearised(state: State) -> Reduced:
     whitenings = [state.whitening(place, rows) for place, rows in enumerate(kept)]
     each = [state.derivatives_kept(place) for place in range(len(kept))]
     return reduced(state.layout, kept, whitenings, left, state.unknowns, state.own, each)
-
-
-def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> State:
-    """After the step to the posterior mean, or the part of it that does the exact model no harm.
-
-    own_scales: prior standard deviations of the own unknowns of every run, as those of the posterior.
-    """
-    before = _misfit(state, posterior, own_scales)
-    share = 1.0
-    while share >= LEAST_SHARE:
-        if stays_within(state, posterior, share):
-            after = at_share(state, posterior, share)
-            if _misfit(after, posterior, own_scales) <= before + NOTHING:
-                return after
-        share *= 0.5
-    return state
-
-
-def at_share(state: State, posterior: Posterior, share: float = 1.0) -> State:
-    """After a share of the step to the posterior mean."""
-    unknowns, own = _stepped(state, posterior, share)
-    residual = tuple(residuals_of(state.layout, state.runs, unknowns, own, state.given))
-    layout = state.layout.at(unknowns, state.given)
-    return replace(state, layout=layout, unknowns=unknowns, own=own, residual=residual)
-
-
-def stays_within(state: State, posterior: Posterior, share: float = 1.0) -> bool:
-    """Whether a share of the step to the posterior mean leaves effects where their terms make sense."""
-    return state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects])
-
-
-def _stepped(state: State, posterior: Posterior, share: float) -> tuple[FloatArray, tuple[FloatArray, ...]]:
-    unknowns = state.unknowns + share * (posterior.mean * state.layout.sizes - state.unknowns)
-    own = tuple(now + share * (one.mean - now) for now, one in zip(state.own, posterior.own, strict=True))
-    return unknowns, own
-
-
-def _misfit(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> float:
-    """Minus twice the logarithm of the posterior density, but for a constant: what the posterior mean minimises."""
-    total = float(np.sum((state.unknowns / (posterior.scale * state.layout.sizes)) ** 2))
-    for place, (one, own, scale) in enumerate(zip(state.runs, state.own, own_scales, strict=True)):
-        white = state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])
-        total += float(np.sum(white**2)) + float(np.sum((own / scale) ** 2))
-    return total
 
 
 def with_noise(state: State, posterior: Posterior, draw: np.random.Generator, known: bool = False) -> State:

@@ -90,8 +90,8 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
 def likely_set_ups(
     fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted], sure: float
 ) -> list[Swap | Turned]:
-    """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, and with each
-    direction that does as well as noise allows, by an estimate without it; places are indices. None without a prior.
+    """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, and with the
+    direction that does, if noise allows as much, by an estimate without it; places are indices. None without a prior.
 
     sure: minus the logarithm of the probability below which what is left is not noise.
     """
@@ -106,17 +106,22 @@ def likely_set_ups(
             continue
         without, expected = widest(refit(others))
         scale = fitted.scales[one.rows.index]
-        far = {}
+        likely = {}
         for other in partners:
             index = other.rows.index
             there = replace(one, rows=replace(one.rows, run=other.rows.run, index=index))
-            far[index] = beside_others(without, expected, [there], {index: scale}).log_p
-        if far:
-            first, second = sorted((one.rows.index, max(far, key=lambda index: far[index])))
+            likely[index] = beside_others(without, expected, [there], {index: scale}).log_p
+        if likely:
+            first, second = sorted((one.rows.index, max(likely, key=lambda index: likely[index])))
             found[first, second] = Swap((first, second), len(partners))
-        for direction in directions:
-            if beside_others(*_sensing(without, expected, one, direction), {one.rows.index: scale}).log_p > -sure:
-                found[one.rows.index, direction] = Turned(one.rows.index, direction, len(directions))
+        far = {
+            direction: beside_others(*_sensing(without, expected, one, direction), {one.rows.index: scale})
+            for direction in directions
+        }
+        allowed = [direction for direction in directions if far[direction].log_p > -sure]
+        if allowed:
+            best = max(allowed, key=lambda direction: far[direction].log_density)
+            found[one.rows.index, best] = Turned(one.rows.index, best, len(directions))
     return list(found.values())
 
 

@@ -6,15 +6,18 @@ import numpy as np
 import pytest
 
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
+from tests.generator.machine import Function
 from tests.identification.data import bar, circle, dmu60p_model, mixed_data
-from trueaxis.estimation import state as module
+from trueaxis.estimation import steps as module
 from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import OwnPosterior, Posterior
+from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import State, at_share, linearised, moved, started
+from trueaxis.estimation.state import State, linearised, started
+from trueaxis.estimation.steps import ALIKE, Walk, at_share, moved
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
 
@@ -107,3 +110,35 @@ def test_effects_stay_within_their_limits(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(type(state.layout.effects), "within", within)
     after = moved(state, posterior, own_scales)
     assert np.allclose(after.unknowns, 0.25 * posterior.mean * state.layout.sizes)
+
+
+def enlarged(of: Function, times: float) -> Function:
+    return lambda position: times * of(position)
+
+
+@pytest.mark.parametrize("times", [1.0, 30.0])
+def test_steps_to_first_order_are_taken_where_no_reading_tells_the_difference(
+    times: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Errors 30 times as large bend 900 times as much: more of the steps are on the exact model."""
+    state, posterior, own_scales = begun(
+        mixed_data({name: enlarged(of, times) for name, of in cubic_errors().items()}, 3, seed=1)
+    )
+    exact: list[State] = []
+
+    def on_the_exact_model(state: State, posterior: Posterior, own_scales: list[FloatArray]) -> State:
+        exact.append(moved(state, posterior, own_scales))
+        return exact[-1]
+
+    monkeypatch.setattr(module, "moved", on_the_exact_model)
+    walk, number = Walk(), 0
+    for number in range(1, 9):
+        share = 1.0 + 0.1**number  # each step some way beyond the one before, as sizes and noise have it
+        before, state = state, walk.step(state, too_far(posterior, share), own_scales)
+        assert not np.array_equal(before.unknowns, state.unknowns)
+        left = residuals_of(state.layout, state.runs, state.unknowns, state.own, state.given)
+        away = [(one - other) / NOISE for one, other in zip(state.residual, left, strict=True)]
+        assert np.sqrt(np.mean(np.concatenate(away) ** 2)) < ALIKE
+    assert len(exact) == (1 if times == 1.0 else 5)
+    ended = walk.ended(state)
+    assert all(np.array_equal(one, other) for one, other in zip(ended.residual, left, strict=True))
