@@ -70,7 +70,7 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
     rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-12)[0]
     gram = rest.T @ rest
     mine, rival = (outlook(prospect, effect) for effect in pair)
-    found = told(mine, rival, number, TIMES.index(1))
+    found = told(mine, rival, TIMES.index(1))[number]
     assert found.detection == pytest.approx(gram[0, 0], rel=1e-4)
     assert found.r2 == pytest.approx(gram[0, 1] ** 2 / (gram[0, 0] * gram[1, 1]), abs=1e-4)
 
@@ -83,7 +83,7 @@ def test_what_is_said_of_now_is_what_the_audit_says() -> None:
         limit = limits[effect]
         if limit.nearest is not None:
             (nearest,) = outlooks_of(prospect, [Placed(limit.nearest, limit.nearest_at)])
-            found = told(outlook(prospect, effect), nearest)
+            (found,) = told(outlook(prospect, effect), nearest)
             assert found.r2 == pytest.approx(limit.r2, abs=1e-6)
 
 
@@ -92,11 +92,11 @@ def test_no_ball_bar_tells_its_length_and_a_gauge_tells_the_scale_of_a_laser() -
     prospect = ahead_in(field(WHOLE))
     scale, length = (outlook(prospect, effect) for effect in SCALES)
     assert np.sum(scale.left**2) < 1e-9 * scale.whole
-    assert told(scale, length).strength == 0.0
+    assert told(scale, length)[0].strength == 0.0
     gauges = 0
     for number, one in enumerate(prospect.further):
-        assert told(length, scale, number, TIMES.index(1)).detection == 0.0, one.what
-        visible = told(scale, length, number, TIMES.index(1)).detection > 1e-9 * scale.whole
+        assert told(length, scale, TIMES.index(1))[number].detection == 0.0, one.what
+        visible = told(scale, length, TIMES.index(1))[number].detection > 1e-9 * scale.whole
         assert visible == ("step gauge" in one.what), one.what
         gauges += visible
     assert gauges == 3
@@ -106,22 +106,22 @@ def test_play_along_and_play_in_rotation_need_a_straightness_and_then_are_told_a
     prospect = ahead_in(field(WHOLE))
     mine, rival = (outlook(prospect, effect) for effect in PAIR)
     best = separation(prospect, mine, [rival])
-    assert told(mine, rival).r2 > 0.95
+    assert told(mine, rival)[0].r2 > 0.95
     assert best is not None
     assert "laser, X moving" in best.further.what
     assert "straightness in y" in best.further.what
-    assert told(mine, rival, prospect.further.index(best.further), TIMES.index(1)).r2 < 0.9
+    assert told(mine, rival, TIMES.index(1))[prospect.further.index(best.further)].r2 < 0.9
 
 
 def test_a_linear_temperature_needs_a_swing() -> None:
     swinging, linear = (ahead_in(field_with_temperature(waves)) for waves in (3.0, 0.0))
     mine, rival = (outlook(linear, effect) for effect in DRIFTS)
-    assert told(mine, rival).r2 > 0.999
+    assert told(mine, rival)[0].r2 > 0.999
     best = separation(linear, mine, [rival])
     assert best is not None
     assert "temperature rises and falls" in best.further.what
     mine, rival = (outlook(swinging, effect) for effect in DRIFTS)
-    assert told(mine, rival).r2 < 0.95
+    assert told(mine, rival)[0].r2 < 0.95
 
 
 def field_with_temperature(waves: float) -> Field:

@@ -152,6 +152,8 @@ def _length(gram: FloatArray, cross: FloatArray) -> float:
 
     gram: (points, k, k); cross: (points - 1, k, k), of each point with the next.
     """
+    if not cross.size:
+        return 0.0
     inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
     shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
     angle = np.arccos(np.sqrt(np.clip(shared / gram.shape[1], 0.0, 1.0)))

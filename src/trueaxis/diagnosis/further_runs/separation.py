@@ -39,20 +39,23 @@ class Separation:
     after: float
 
 
-def told(mine: Outlook, rival: Outlook, run: int | None = None, times: int = 0) -> Told:
-    """From the readings at hand, or with run number `run` of the menu taken TIMES[times] times."""
-    blocks = [(mine.left, rival.left)]
-    if run is not None:
-        blocks.append((mine.added[run][times], rival.added[run][times]))
-    own = sum((one.T @ one for one, _ in blocks), np.zeros((mine.left.shape[1],) * 2))
-    other = sum((two.T @ two for _, two in blocks), np.zeros((rival.left.shape[1],) * 2))
-    cross = sum((one.T @ two for one, two in blocks), np.zeros((own.shape[0], other.shape[0])))
-    strength = float(np.trace(own)) / own.shape[0]
-    if strength <= UNOBSERVABLE * mine.whole:  # the base holds it, and rounding is left
-        strength = 0.0
-    alike = _inverse_root(own, mine.whole) @ cross @ _inverse_root(other, rival.whole)
-    r2 = min(1.0, float(np.linalg.norm(alike, 2)) ** 2)
-    return Told(strength, strength * (1.0 - r2), r2)
+def told(mine: Outlook, rival: Outlook, times: int | None = None) -> list[Told]:
+    """From the readings at hand, or with each run of the menu in turn, taken TIMES[times] times."""
+    own, other, cross = (_products(*pair, times) for pair in ((mine, mine), (rival, rival), (mine, rival)))
+    strength = np.trace(own, axis1=1, axis2=2) / own.shape[1]
+    strength[strength <= UNOBSERVABLE * mine.whole] = 0.0  # the base holds it, and rounding is left
+    alike = _inverse_roots(own, mine.whole) @ cross @ _inverse_roots(other, rival.whole)
+    r2 = np.minimum(1.0, np.linalg.norm(alike, 2, axis=(1, 2)) ** 2)
+    return [Told(*each) for each in zip(strength.tolist(), (strength * (1.0 - r2)).tolist(), r2.tolist(), strict=True)]
+
+
+def _products(one: Outlook, other: Outlook, times: int | None) -> FloatArray:
+    """(1, k, k') of the readings at hand, (runs, k, k') with those of each run of the menu."""
+    at_hand = one.left.T @ other.left
+    if times is None:
+        return at_hand[np.newaxis]
+    added = [a[times].T @ b[times] for a, b in zip(one.added, other.added, strict=True)]
+    return at_hand + np.array(added).reshape(-1, *at_hand.shape)
 
 
 def separation(prospect: Prospect, mine: Outlook, rivals: Sequence[Outlook]) -> Separation | None:
@@ -60,11 +63,11 @@ def separation(prospect: Prospect, mine: Outlook, rivals: Sequence[Outlook]) -> 
 
     Taken once if that suffices, else several times; None where no run of the menu tells it from any.
     """
-    now = [told(mine, rival) for rival in rivals]
+    now = [one for rival in rivals for one in told(mine, rival)]
     for times in range(len(TIMES)):
         found: list[Separation] = []
-        for run, further in enumerate(prospect.further):
-            then = [told(mine, rival, run, times) for rival in rivals]
+        of_rivals = [told(mine, rival, times) for rival in rivals]
+        for further, *then in zip(prospect.further, *of_rivals, strict=True):
             apart = tuple(
                 place
                 for place, (before, after) in enumerate(zip(now, then, strict=True))
@@ -103,9 +106,9 @@ def _size(kind: Kind, threshold: float, strength: float) -> float:
     return float(np.sqrt(size)) if any(one.role == "root" for one in kind.parameters) else size
 
 
-def _inverse_root(gram: FloatArray, whole: float) -> FloatArray:
-    """Of a Gram matrix (k, k), directions that the base holds left out."""
-    values, vectors = np.linalg.eigh(gram)
-    kept = values > UNOBSERVABLE * max(whole, float(values.max(initial=0.0)))
+def _inverse_roots(grams: FloatArray, whole: float) -> FloatArray:
+    """Of Gram matrices (m, k, k), directions that the base holds left out."""
+    values, vectors = np.linalg.eigh(grams)
+    kept = values > UNOBSERVABLE * np.maximum(whole, values.max(axis=1, keepdims=True, initial=0.0))
     roots = np.divide(1.0, np.sqrt(np.abs(values)), out=np.zeros_like(values), where=kept)
-    return np.asarray((vectors * roots) @ vectors.T)
+    return np.asarray((vectors * roots[:, np.newaxis]) @ vectors.transpose(0, 2, 1))
