@@ -151,7 +151,8 @@ def test_only_samples_at_a_reversal_have_a_direction_that_is_anybodys_choice(see
     chosen = np.where(off < 1e-3, source.choice([-1.0, 1.0], path.shape), np.sign(slope))
     found = beside_reversals(("X", "Y"), chosen, path, 2e-3)
     wrong = (chosen * slope < 0.0).any(axis=0)
-    wrong[[0, -1]] = False  # what is beyond the ends of a run, the run does not show
+    wrong[-1] = False  # what is beyond the end of a run, the run does not show
+    wrong[0] = (off[:, 0] < 1e-3).any()  # a run is taken to have begun earlier
     assert found[wrong].all()
     apart = np.min(off, axis=0) > 0.1
     assert not (found & apart)[2:-2].any()
@@ -159,7 +160,7 @@ def test_only_samples_at_a_reversal_have_a_direction_that_is_anybodys_choice(see
 
 def test_where_the_path_does_not_show_a_reversal_both_samples_beside_it_are_doubtful() -> None:
     """X goes on for two samples after its direction has changed."""
-    path = np.array([np.arange(12.0), 0.1 * np.arange(12.0) ** 2])
+    path = np.array([np.arange(12.0), 0.1 * np.arange(3.0, 15.0) ** 2])
     directions = np.array([np.where(np.arange(12) < 6, 1.0, -1.0), np.ones(12)])
     assert np.flatnonzero(beside_reversals(("X", "Y"), directions, path, 2e-3)).tolist() == [5, 6]
 

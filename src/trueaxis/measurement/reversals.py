@@ -83,19 +83,18 @@ def reversals_on_the_way(axes: Sequence[str], directions: FloatArray, path: Floa
 def beside_reversals(axes: Sequence[str], directions: FloatArray, path: FloatArray, reach: float) -> BoolArray:
     """(n,): readings on the way, of which it is anybody's choice on which side of a reversal they were taken.
 
-    They are those at which an axis is no farther than `reach`, mm or deg, from where it turned, and those between there
-    and where its direction changes; where the path does not show where it turned, the two beside the change.
+    They are those at which an axis is no farther than `reach`, mm or deg, from where it turned, be that before the
+    first reading, and those between there and where its direction changes; where the path does not show where it
+    turned, the two beside the change.
     """
     row, way = _changes(directions), _way(axes, path)
     found, last = np.zeros(way.size, dtype=bool), way.size - 1
     changes = {(axis, turn) for axis in range(len(axes)) for turn in np.unique(row[axis]).tolist() if turn >= 0}
     for one in _turns(row, directions, path, way):
-        if one.row < 0:
-            continue
-        changes.remove((one.axis, one.row))
+        changes.discard((one.axis, one.row))
         at = path[one.axis, one.after] - np.sign(directions[one.axis, one.after]) * one.gone
         far = np.abs(path[one.axis] - at) > reach
-        first, then = one.row, one.row + 1
+        first, then = one.row, one.row + 1  # from -1 and 0 on where it turned before the first
         while first >= 0 and not (far[first] and way[first] < one.at):
             found[first], first = True, first - 1
         while then <= last and not (far[then] and way[then] > one.at):
