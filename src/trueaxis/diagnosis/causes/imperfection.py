@@ -91,8 +91,9 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     for scale in scales:
         yield from (MODULATED * one for one in changing(signal, scale, scale))
     read_by = list(_read_by(rows))
-    for mine in read_by if len(read_by) > 1 else ():
-        yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
+    for mine in read_by:  # beside what all read together, which is the size of the cause
+        share = float(signal[mine] @ signal[mine]) / (float(signal @ signal) or 1.0)
+        yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * (mine - share) * signal
     if "direction" in used and cause.effect.component:
         counted = next((one for one in SINCE_REVERSAL if one in used), "d")
         since = readings.context.since(counted)[rows.axes.index(cause.effect.own_axis)]
