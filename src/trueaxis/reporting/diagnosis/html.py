@@ -19,6 +19,7 @@ from trueaxis.reporting.diagnosis.words import (
     headline,
     in_words,
     joint,
+    size_open,
 )
 from trueaxis.template_folders import template_folders
 
@@ -139,6 +140,7 @@ def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -
             ("held-out RMS", held_out_change(cause)),
             ("same size everywhere", equals_p(cause.homogeneous_p)),
             ("kind, as in a spec", cause.effect.kind),
+            *((("size", size_open(cause)),) if size_open(cause) else ()),
             *(("or, in its place", one) for one in changed_instead(cause)),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,

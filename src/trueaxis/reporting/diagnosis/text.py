@@ -18,6 +18,7 @@ from trueaxis.reporting.diagnosis.words import (
     misfit,
     rival_title,
     shortened,
+    size_open,
     stale_change,
 )
 
@@ -83,6 +84,8 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
         yield f"  term: {term}"
     for one in cause.parameters:
         yield f"  {one.name} = {with_expanded(one.value, one.u, one.unit)}"
+    if size_open(cause):
+        yield f"  size: {size_open(cause)}"
     yield (
         f"  evidence: p {probability(cause.p_value)}, {micrometres(cause.rms)} um RMS, "
         f"held-out RMS {held_out_change(cause)}"

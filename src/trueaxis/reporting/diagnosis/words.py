@@ -42,6 +42,16 @@ def effect_title(effect: Effect) -> str:
     return text + (f" in{rest}" if effect.component else rest)
 
 
+def size_open(cause: Cause) -> str:
+    """Why a cause that is sure may have a U as large as its size; empty where it has not."""
+    size = cause.parameters[0]
+    if not 2.0 * size.u >= abs(size.value):  # NaN where nothing tells it
+        return ""
+    return (
+        "hardly told by these readings: a real effect differs from the term, and another size would show as this does"
+    )
+
+
 def lower_case(title: str) -> str:
     """A title within a sentence."""
     return title[:1].lower() + title[1:]
