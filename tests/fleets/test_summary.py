@@ -7,8 +7,20 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from trueaxis.fleets.rows import CauseFound, Row, ValueFound, changed_from, summary_of
+from trueaxis.fleets.rows import (
+    ROW_FILE,
+    CauseFound,
+    Row,
+    StaleFound,
+    ValueFound,
+    changed_from,
+    read_row,
+    row_text,
+    rows_frame,
+    summary_of,
+)
 from trueaxis.jobs.fleet import FleetResult
+from trueaxis.reporting.fleet import fleet_page, fleet_text
 
 
 def row(machine: str, day: int, *causes: CauseFound, in_u: float | None = None, faults: tuple[str, ...] = ()) -> Row:
@@ -76,3 +88,20 @@ def test_values_that_do_not_fit_are_no_success() -> None:
     misfit = replace(row("A", 2), fit="misfit")
     assert not result_of(row("A", 1), misfit).good
     assert result_of(replace(misfit, date="2026-10-01"), row("A", 3)).good  # newer values fit
+
+
+def test_rivals_and_values_that_are_no_longer_right_are_told_everywhere(tmp_path: Path) -> None:
+    either = replace(cause("backlash", "EAY", "backlash EAY"), certain=False, rivals=("backlash EYY", "drift EYY", "x"))
+    crash = StaleFound(name="EC0Y", change=4e-5, u=4.3e-7, unit="rad")
+    one = replace(row("M2", 1, either), stale=(crash,), verdict="ambiguous")
+    (tmp_path / ROW_FILE).write_text(row_text(one))
+    assert read_row(tmp_path) == one
+    (cells,) = rows_frame((one,)).iter_rows(named=True)
+    assert cells["stale"] == [{"name": "EC0Y", "change": 4e-5, "u": 4.3e-7, "unit": "rad"}]
+    assert cells["causes"][0]["rivals"] == ["backlash EYY", "drift EYY", "x"]
+    said = fleet_text((one,), summary_of((one,)), 1, 0)
+    assert "named: M2 2026-11-01: Backlash EAY, width 10.0 um; or Backlash EYY, Drift EYY, 1 more" in said
+    assert "stale: M2 2026-11-01: EC0Y changed by 40.0 urad, u 0.43 urad" in said
+    page = fleet_page("FLEET.toml", (one,), summary_of((one,)))
+    for text in ("or Backlash EYY", "EC0Y changed by"):
+        assert text in page

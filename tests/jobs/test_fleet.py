@@ -357,8 +357,8 @@ def test_all_tasks_leave_the_files_of_the_single_commands(tmp_path: Path) -> Non
         assert (tmp_path / "out" / address).is_file()
     kernels = next((tmp_path / "out" / "kernels").iterdir())
     words = ["diagnose", "small.toml", "--data", "data/M1/2026-11-01", "--kernels", str(kernels)]
-    for name, errors in (("M1", tmp_path / "now.json"), ("M0", out / "M0" / "2026-11-01" / "errors.json")):
-        words[3] = f"data/{name}/2026-11-01"  # beside what the control has, else what was identified from the same data
+    for name, errors in (("M1", tmp_path / "now.json"), ("M0", out / "M0" / "2026-10-01" / "errors.json")):
+        words[3] = f"data/{name}/2026-11-01"  # beside what the control has, else the values of the date before
         command = [sys.executable, "-P", "-c", PROGRAM, *words, "--errors", str(errors), "--out", name]
         subprocess.run(command, cwd=tmp_path, check=False, capture_output=True)
         own = out / name / "2026-11-01" / "diagnosis" / "diagnosis.json"

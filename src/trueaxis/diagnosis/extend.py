@@ -90,9 +90,8 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
     Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where values
     given are nearly right, runs that contradict the others look like noisy ones beside changes that are none: so the
     readings are judged as they are, too, as `identify` does: all of them, where no effect needs to know from where an
-    axis came. Where a cause is not part of the extended machine,
-    readings that it explains fit no values, which says nothing against them; but a run of which an instrument is the
-    cause may have been misread, which then explains all of it.
+    axis came. Where a cause is not part of the extended machine, readings that it explains fit no values, which says
+    nothing against them; but a run may have been misread, which then explains the cause.
     """
     effects = named_effects(found)
     extended, named = extend(found), bool(effects)
@@ -111,8 +110,8 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
     if whole and not wrong:
         wrong = _as_read(extended, model.errors, readings if named else all_readings(data), start)
     of_instruments = frozenset(run for one in found.causes for run in one.effect.runs)
-    if of_instruments:
-        wrong = (*wrong, *(run for run in _misread(model, readings) if run in of_instruments))
+    if of_instruments or not whole:
+        wrong = (*wrong, *(run for run in _misread(model, readings) if not whole or run in of_instruments))
     return Anew(values if named else None, errors, wrong)
 
 

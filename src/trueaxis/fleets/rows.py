@@ -18,8 +18,10 @@ SCHEMA = 1
 NUMBER, TEXT = pl.Float64, pl.String
 PARAMETER = pl.Struct({"name": TEXT, "value": NUMBER, "u": NUMBER, "unit": TEXT})
 CAUSE = pl.Struct(
-    {"cause": TEXT, "kind": TEXT, "component": TEXT, "certain": pl.Boolean, "parameters": pl.List(PARAMETER)}
-)
+    {"cause": TEXT, "kind": TEXT, "component": TEXT, "certain": pl.Boolean, "rivals": pl.List(TEXT),
+     "parameters": pl.List(PARAMETER)}
+)  # fmt: skip
+STALE = pl.Struct({"name": TEXT, "change": NUMBER, "u": NUMBER, "unit": TEXT})
 
 ERROR = pl.Struct(
     {"name": TEXT, "value": NUMBER, "u": NUMBER, "at": NUMBER, "unit": TEXT, "determined": TEXT, "change": NUMBER,
@@ -28,7 +30,8 @@ ERROR = pl.Struct(
 
 TABLE_SCHEMA: dict[str, pl.DataType | type[pl.DataType]] = {
     "machine": TEXT, "data": TEXT, "date": pl.Date, "tasks": pl.List(TEXT), "verdict": TEXT, "causes": pl.List(CAUSE),
-    "fit": TEXT, "chi2": NUMBER, "tool_rms": NUMBER, "tool_largest": NUMBER, "tool_u": NUMBER, "tool_change": NUMBER,
+    "stale": pl.List(STALE), "fit": TEXT, "chi2": NUMBER,
+    "tool_rms": NUMBER, "tool_largest": NUMBER, "tool_u": NUMBER, "tool_change": NUMBER,
     "against": TEXT, "most_changed": TEXT, "most_changed_in_u": NUMBER, "errors": pl.List(ERROR),
     "faults": pl.List(TEXT), "notes": pl.List(TEXT),
 }  # fmt: skip
@@ -41,7 +44,8 @@ NUMBERS_OF_A_CURVE = 6.2
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CauseFound:
     """A cause that a diagnosis names. kind, component: of the effect, component None of an instrument; label: as
-    reports name it; certain: whether no rival explains the readings as well; parameters: name -> value, u, unit.
+    reports name it; certain: whether nothing else explains the readings as well; rivals: labels of other effects that
+    do; parameters: name -> value, u, unit.
     """
 
     kind: str
@@ -49,6 +53,19 @@ class CauseFound:
     label: str
     certain: bool
     parameters: Mapping[str, tuple[float, float | None, str]]
+    rivals: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StaleFound:
+    """An error whose value, as the diagnosis was given it, is no longer right: its change where that is clearest, with
+    its standard uncertainty, mm or rad.
+    """
+
+    name: str
+    change: float
+    u: float | None
+    unit: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,10 +101,10 @@ class ToolFound:
 class Row:
     """machine: id; data: the folder, as paths in the fleet file are written, empty where there is none; date: ISO,
     None: its name holds none; inputs: digest of all that the row comes from, empty where the work was lost and is to be
-    done again; tasks: that were asked for; verdict, causes: of the diagnosis; fit, chi2: of the identification; values:
-    of the errors; tool: point over the volume; against: what the changes are since; faults, notes: a sentence each;
-    files: that were written, in the folder of the row; newest: the file of the newest values of the machine, this row's
-    or those before it, relative to the folder of the row, None: there are none.
+    done again; tasks: that were asked for; verdict, causes, stale: of the diagnosis; fit, chi2: of the identification;
+    values: of the errors; tool: point over the volume; against: what the changes are since; faults, notes: a sentence
+    each; files: that were written, in the folder of the row; newest: the file of the newest values of the machine, this
+    row's or those before it, relative to the folder of the row, None: there are none.
     """
 
     machine: str
@@ -97,6 +114,7 @@ class Row:
     tasks: tuple[str, ...]
     verdict: str | None = None
     causes: tuple[CauseFound, ...] = ()
+    stale: tuple[StaleFound, ...] = ()
     fit: str | None = None
     chi2: float | None = None
     values: tuple[ValueFound, ...] = ()
@@ -134,12 +152,21 @@ def read_row(folder: Path) -> Row | None:
 def _row(tree: dict[str, Any]) -> Row:
     texts: dict[str, Any] = {key: tuple(map(str, tree.pop(key))) for key in ("tasks", "faults", "notes", "files")}
     causes = tuple(
-        CauseFound(**{**one, "parameters": {name: tuple(of) for name, of in one["parameters"].items()}})
+        CauseFound(
+            **{
+                **one,
+                "parameters": {name: tuple(of) for name, of in one["parameters"].items()},
+                "rivals": tuple(one["rivals"]),
+            }
+        )
         for one in tree.pop("causes")
     )
+    stale = tuple(StaleFound(**one) for one in tree.pop("stale"))
     values = tuple(ValueFound(**one) for one in tree.pop("values"))
     tool = tree.pop("tool")
-    return Row(**tree, **texts, causes=causes, values=values, tool=None if tool is None else ToolFound(**tool))
+    return Row(
+        **tree, **texts, causes=causes, stale=stale, values=values, tool=None if tool is None else ToolFound(**tool)
+    )
 
 
 def rows_frame(rows: Sequence[Row]) -> pl.DataFrame:
@@ -152,6 +179,7 @@ def _cells(row: Row) -> dict[str, object]:
     causes = [
         {
             "cause": one.label, "kind": one.kind, "component": one.component, "certain": one.certain,
+            "rivals": list(one.rivals),
             "parameters": [
                 {"name": name, "value": value, "u": u, "unit": unit}
                 for name, (value, u, unit) in one.parameters.items()
@@ -162,7 +190,8 @@ def _cells(row: Row) -> dict[str, object]:
     return {
         "machine": row.machine, "data": row.data or None,
         "date": None if row.date is None else date.fromisoformat(row.date), "tasks": list(row.tasks),
-        "verdict": row.verdict, "causes": causes, "fit": row.fit, "chi2": row.chi2,
+        "verdict": row.verdict, "causes": causes, "stale": [asdict(one) for one in row.stale],
+        "fit": row.fit, "chi2": row.chi2,
         "tool_rms": None if tool is None else tool.rms, "tool_largest": None if tool is None else tool.largest,
         "tool_u": None if tool is None else tool.u, "tool_change": None if tool is None else tool.change,
         "against": row.against, "most_changed": None if most is None else most.name,

@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from trueaxis import __version__
-from trueaxis.fleets.rows import ROW_FILE, CauseFound, Row, ToolFound, ValueFound, read_row, row_text
+from trueaxis.fleets.rows import ROW_FILE, CauseFound, Row, StaleFound, ToolFound, ValueFound, read_row, row_text
 from trueaxis.fleets.unit import Unit, inputs_digest, kept_row, values_before
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.io.faults import Fault, InputError
@@ -75,8 +75,9 @@ class _Work:
         with self.telling():
             model, given, before, data = self._read()
             self._identify(model, data)
-            if "diagnose" in self.unit.tasks and data is not None and not self._failed("identify", given):
-                self._diagnose(model, data, given or self.identified)
+            known = given or before
+            if "diagnose" in self.unit.tasks and data is not None and not self._failed("identify", known):
+                self._diagnose(model, data, known or self.identified)
             if (now := self.identified or given) is not None and not self._failed("identify", None):
                 self._compare(model, now, before)
 
@@ -168,11 +169,16 @@ class _Work:
                 CauseFound(
                     kind=one.effect.kind, component=one.effect.component, label=one.effect.label,
                     certain=one.alone,
+                    rivals=tuple(dict.fromkeys(each.effect.label for each in one.rivals)),
                     parameters={part.name: (part.value, _known(part.u), part.unit) for part in one.parameters},
                 )
                 for one in done.diagnosis.causes
             )  # fmt: skip
-            self.found = replace(self.found, verdict=done.verdict, causes=causes)
+            stale = tuple(
+                StaleFound(name=one.component, change=one.value, u=_known(one.u), unit=one.unit)
+                for one in done.diagnosis.stale
+            )
+            self.found = replace(self.found, verdict=done.verdict, causes=causes, stale=stale)
 
     def _compare(self, model: MachineModel, now: Errors, before: Errors | None) -> None:
         """The errors as figures, beside those before; as a document where that is asked for."""

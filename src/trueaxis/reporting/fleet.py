@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from urllib.parse import quote
 
-from trueaxis.fleets.rows import CauseFound, Changed, Row, Summary
+from trueaxis.fleets.rows import CauseFound, Changed, Row, StaleFound, Summary
 from trueaxis.fleets.unit import GIVEN, MACHINES
 from trueaxis.reporting.diagnosis.html import rendered
 from trueaxis.reporting.diagnosis.quantity import ascii_only, quantity
@@ -16,6 +16,7 @@ TEXT_OF: dict[str, str] = dict(TITLES.items())
 DASH = "\N{EN DASH}"
 MOST_ROWS = 2000  # of a table: more make a page that browsers are slow with, and nobody reads; results.parquet has all
 MOST_NAMED = 30  # machines in one cell
+MOST_RIVALS = 2  # of a cause: the page of the diagnosis has all
 MOST_FAULTS = 5  # of one row: what comes behind is seldom another mistake
 DOCUMENTS = (("document", "report.html"), ("diagnosis", "diagnosis/report.html"))
 MOST_TOLD = 3  # of a machine
@@ -129,10 +130,11 @@ def _machines(summary: Summary) -> FleetTable:
         sizes = [DASH if one is None else quantity(one, "mm") for one in
                  ((tool.rms, tool.largest, tool.u) if tool is not None else (None, None, None))]  # fmt: skip
         verdict = DASH if row.verdict is None else TEXT_OF.get(row.verdict, row.verdict)
-        causes = Cell((verdict, *map(_named, row.causes)))
-        moved = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
+        causes = Cell((verdict, *map(_named, row.causes), *map(_stale, row.stale)))
+        moved = DASH if tool is None or tool.change is None else quantity(tool.change, "mm")
+        changed = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
         fit = "failed" if row.faults else row.fit or DASH
-        rows.append((_machine(row), _of(_when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
+        rows.append((_machine(row), _of(_when(row)), _of(fit), *map(_of, sizes), _of(moved), _of(changed), causes))
     head = (
         "machine",
         "newest data",
@@ -140,11 +142,12 @@ def _machines(summary: Summary) -> FleetTable:
         "tool point, RMS",
         "largest",
         "u, RMS",
+        "change, RMS",
         "most changed",
         "verdict and causes",
     )
     intro = "Tool point: length of the deviation over the volume, from home, for a tool at the origin of its frame."
-    return _table("All machines", intro, head, rows, frozenset({3, 4, 5}), "There is no machine.")
+    return _table("All machines", intro, head, rows, frozenset({3, 4, 5, 6}), "There is no machine.")
 
 
 def _table(
@@ -194,6 +197,7 @@ def fleet_text(rows: tuple[Row, ...], summary: Summary, made: int, kept: int) ->
     lines += _some(
         [f"named: {row.machine} {_when(row)}: {_named(one)}" for row in summary.newest for one in row.causes]
     )
+    lines += _some([f"stale: {row.machine} {_when(row)}: {_stale(one)}" for row in summary.newest for one in row.stale])
     return ascii_only("\n".join(lines)) + "\n"
 
 
@@ -217,9 +221,18 @@ def _cause_title(label: str) -> str:
 
 
 def _named(cause: CauseFound) -> str:
-    """`Backlash EYY, width 5.95 um`."""
+    """`Backlash EYY, width 5.95 um`, `Backlash EAY, width 9 urad; or Backlash EYY`."""
     sizes = [f"{name} {quantity(value, unit)}" for name, (value, _, unit) in cause.parameters.items()]
-    return ", ".join([_cause_title(cause.label), *sizes[:1]]) + ("" if cause.certain else " (not certain)")
+    left = len(cause.rivals) - MOST_RIVALS
+    others = [*map(_cause_title, cause.rivals[:MOST_RIVALS]), *([f"{left} more"] if left > 0 else [])]
+    either = f"; or {', '.join(others)}" if others else "" if cause.certain else " (not certain)"
+    return ", ".join([_cause_title(cause.label), *sizes[:1]]) + either
+
+
+def _stale(one: StaleFound) -> str:
+    """`EC0Y changed by 40 urad, u 0.43 urad`."""
+    u = "" if one.u is None else f", u {quantity(one.u, one.unit, 2)}"
+    return f"{one.name} changed by {quantity(one.change, one.unit)}{u}"
 
 
 def _when(row: Row) -> str:
