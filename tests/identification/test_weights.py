@@ -8,9 +8,20 @@ import numpy as np
 import pytest
 from statsmodels.regression.linear_model import WLS
 
-from tests.generator.dmu60p import PARAMETERS
+from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identification.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs, with_estimation
+from tests.identification.data import (
+    TRAVEL,
+    bar,
+    circle,
+    dmu60p_model,
+    line,
+    moving,
+    noisy,
+    observed,
+    paper_runs,
+    with_estimation,
+)
 from tests.identification.test_estimated import KNOWN, in_powers
 from trueaxis.cli.identify import noise_option
 from trueaxis.estimation.observations import Observations, pure_error
@@ -222,3 +233,24 @@ def test_weights_are_one_on_average_and_fall_with_the_noise() -> None:
     assert np.mean(found.roots**2) == pytest.approx(1.0)
     assert found.sigma is not None
     assert np.allclose(found.sigma / found.roots, sigmas(scattered()))
+
+
+def test_a_ball_bar_that_starts_far_from_zero_beside_its_other_runs_is_a_misfit() -> None:
+    """A laser that was not set to zero spoils nothing; a bar has one length, and something is not where it is said."""
+    lines, bars = paper_runs(), [bar(f"xy{k}", 600.0 + 15.0 * k) for k in range(5)]
+    at = [*(line(moving(run), 6) for run in lines), *(circle(run, (0, 1), 24) for run in bars)]
+    data = noisy(observed(generator(cubic_errors()), (*lines, *bars), at), seed=4)
+    found, far = (
+        identify_estimated(
+            dmu60p_model(),
+            replace(data, reading=data.reading + np.where(data.run == data.run[-1], off, 0.0)),
+            IdentifyOptions(known=ErrorValues(machine="dmu60p", parameters=PARAMETERS), squareness="known"),
+        )
+        for off in (0.0, 0.3)
+    )
+    assert [one.values.fit.state for one in (found, far) if one.values.fit] == ["converged", "misfit"]
+    assert far.values.fit is not None
+    assert far.values.fit.runs == ("xy4",)
+    assert far.report.quality is not None
+    assert "the ballbar zero of 1 of 5 runs is larger than " in far.report.quality.reason
+    assert ": xy4 by 29" in far.report.quality.reason  # um, of 300

@@ -11,6 +11,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
+from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.words import enumerated
 
@@ -63,7 +64,8 @@ class Contradicting:
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *, prior: bool) -> FitQuality:
-    """A misfit where runs are misread for sure, or contradict the others by much: the values follow them, too.
+    """A misfit where runs are misread for sure, contradict the others by much, or are of a ball bar whose zero is far
+    off: the values follow them, or what they contradict.
 
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
@@ -74,6 +76,9 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     contradicting = _contradicting(observed, found) if prior else None
     if contradicting is not None and contradicting.matter:
         reasons, named = [*reasons, str(contradicting)], named + contradicting.runs
+    for one in far_zeros(observed, found):
+        if one.of_bars and not ids:
+            reasons, named = [*reasons, str(one)], tuple(dict.fromkeys([*named, *one.of_run]))
     reason = "; ".join(filter(None, reasons))
     if not reason:
         return judged

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.estimation.evidence import LIKELIER
-from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
+from trueaxis.estimation.instruments import CLASSES, states_line
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.noise_of_residuals import SHARES
 from trueaxis.estimation.observations import Observations
@@ -15,9 +15,10 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.believable_setup import SET_UP
+from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
-from trueaxis.identification.words import enumerated, in_small
+from trueaxis.identification.words import enumerated
 from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.instrument_kinds import small_unit
@@ -30,7 +31,6 @@ DRIFT = 3.0  # times the usual drift of a run of the instrument: a smaller slow 
 MOST_SLOW = 0.999 * float(np.sqrt(SHARES[-1]))  # of the noise: the largest that is looked for
 MOST_OUTLIERS = 20  # named
 MOST_RUNS = 5  # named
-FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
 
@@ -170,33 +170,13 @@ def estimate_notes(
         *(_rough(found) if prior else ()),
         *_alignment(observed, found),
         *misread_notes(observed, found, prior=prior),
-        *_zeros_far_off(observed, found),
+        *(str(one) for one in far_zeros(observed, found) if not one.of_bars),
     )
 
 
 def _times(log_ratio: float) -> str:
     """`40 times`, `more than 10 000 times`."""
     return f"{np.exp(log_ratio):.0f} times" if log_ratio < np.log(1e4) else "more than 10 000 times"
-
-
-def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
-    """Runs whose readings start far from zero: beside the others of their class, and beside what is usual of it."""
-    zeros: dict[str, dict[str, float]] = {}
-    for index, own in found.own.items():
-        for kind, value in zip(own_kinds(observed.runs[index], found.layout.straightness[index]), own, strict=True):
-            if kind.endswith(" zero"):
-                zeros.setdefault(kind, {})[observed.runs[index].id] = float(value)
-    for kind, of_run in zeros.items():
-        usual = max(SET_UP_FACTOR * CLASSES[kind].size, FAR_ZERO * float(np.median(np.abs([*of_run.values()]))))
-        far = sorted((run for run in of_run if abs(of_run[run]) > usual), key=lambda run: -abs(of_run[run]))
-        if far:
-            factor, unit = in_small(CLASSES[kind].unit)
-            named = [f"{run} by {of_run[run] * factor:.3g} {unit}" for run in far[:MOST_RUNS]]
-            rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
-            yield (
-                f"the {kind} of {len(far)} of {len(of_run)} runs is larger than {usual * factor:.3g} {unit}: "
-                f"{', '.join(named)}{rest}; the estimate attributes that to the instrument, not to the machine"
-            )
 
 
 def _rough(found: Estimate) -> Iterator[str]:
