@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 
 from trueaxis.cli.main import main
+from trueaxis.identification.believable_setup import setup_faults
+from trueaxis.measurement.data import read_data
+from trueaxis.model.model import load_model
 
 ROOT = Path(__file__).parents[2]
 MACHINE = str(ROOT / "machines" / "dmu60p.toml")
@@ -31,11 +34,11 @@ target = { on = "tool", point = [0.0, 0.0, 0.0] }
 """
 
 
-def bar(folder: Path, *, y: float = -350.0, length: float = 200.0) -> Path:
+def bar(folder: Path, *, y: float = -350.0, length: float = 200.0, reading: float = 0.001) -> Path:
     """A circle of 200 mm about (270, 350) of the axes; the workpiece rides on Y."""
     turn = np.linspace(0.0, 2.0 * np.pi, 40)
     at = zip(270.0 + 200.0 * np.cos(turn), 350.0 + 200.0 * np.sin(turn), strict=True)
-    rows = [f"bar,{k},{a!r},{b!r},200,0.001" for k, (a, b) in enumerate((float(a), float(b)) for a, b in at)]
+    rows = [f"bar,{k},{a!r},{b!r},200,{reading!r}" for k, (a, b) in enumerate((float(a), float(b)) for a, b in at)]
     return written(folder, BAR.format(y=y, length=length), rows)
 
 
@@ -48,6 +51,17 @@ def written(folder: Path, setup: str, rows: list[str]) -> Path:
     (folder / "setup.toml").write_text(setup)
     (folder / "readings.csv").write_text("\n".join(["run,seq,X,Y,Z,reading", *rows]) + "\n")
     return folder
+
+
+def test_a_ball_that_is_about_as_far_off_as_may_be_is_no_reading_in_another_unit(tmp_path: Path) -> None:
+    """`up to 0.05 mm, where errors allow 10 mm at most; is the reading in mm?` was said of 16 runs."""
+    model, faults = load_model(Path(MACHINE), None, ROOT / "generated"), []
+    for number, off in enumerate(np.linspace(4.8, 6.0, 25).tolist()):
+        folder = bar(tmp_path / str(number), y=-350.0 + off, reading=-0.05)
+        faults += setup_faults(model, read_data(folder, model), folder)
+    assert 5 < len(faults) < 25
+    assert {one.place for one in faults} == {"run bar"}
+    assert all("mm apart at" in one.problem for one in faults)
 
 
 def commands(data: Path, out: Path) -> dict[str, list[str]]:

@@ -186,3 +186,8 @@ def test_a_rotary_axis_that_turns_the_other_way_than_its_spec_says_is_named() ->
         assert fault.place == f"run {one.run.id}"
         assert "C moved the other way, it would stay there within 0.001 mm" in fault.problem
         assert fault.remedy in ("sense of axis X, Y or C in the spec", "sense of axis C in the spec")
+        radians = one.positions.copy()
+        radians[row] = np.deg2rad(radians[row])
+        (fault,) = _tip_faults(machine, one.run, radians, Path())
+        assert (fault.place, fault.remedy) == ("column B or C", "degrees")
+        assert "if these positions were radians, it would stay there within 0.001 mm" in fault.problem

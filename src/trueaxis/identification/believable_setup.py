@@ -76,7 +76,7 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
     if wrong.size == 0:
         return []
     first = int(wrong[0])
-    if run.instrument == "ballbar" and not abs(ideal[first]) <= allowed[first]:
+    if run.instrument == "ballbar" and not abs(ideal[first]) <= abs(reading[first]):  # what is far: the balls
         return [
             Fault(
                 str(folder / FILE_NAME),
@@ -148,14 +148,24 @@ def _other_way(positions: FloatArray, row: int) -> FloatArray:
 
 
 def _tip_faults(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> list[Fault]:
-    """Of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other way.
+    """Of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other way,
+    or if the rotary axes were written in radians.
 
-    Where no axis does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
+    Where neither does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
     """
     moving = {axis for axis, at in zip(model.axes, positions, strict=True) if np.ptp(at) > 0.0}
     way = _of_tip(model, run, positions)
     if not (moving & set(LINEAR) and moving & set(ROTARY)) or way <= SET_UP["probe"]:
         return []
+    rotary = [axis for axis in model.axes if axis in ROTARY]
+    turned = np.array([axis in ROTARY for axis in model.axes])
+    in_degrees = np.where(turned[:, np.newaxis], np.rad2deg(positions), positions)
+    if (within := _of_tip(model, run, in_degrees)) <= SET_UP["probe"]:
+        problem = (
+            f"run {run.id}: the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if these positions "
+            f"were radians, it would stay there within {max(SMALLEST_OFF, within):.2g} mm"
+        )
+        return [Fault(str(readings_path(folder)), f"column {enumerated(rotary, 'or')}", problem, "degrees")]
     left = {}
     for row, axis in enumerate(model.axes):
         if axis in moving:
