@@ -1,7 +1,7 @@
 """The readings of each run in the order in which they were taken, and which of them count."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +17,7 @@ from trueaxis.measurement.setup import Run
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class MeasuredRun:
     """rows: of all readings; noise_group: see `noise_groups`; reading: (n,), mm; repeats: (n,), the same number where
-    the same place was read; good: (n,), which count.
+    the same place was read; good: (n,), which count; frames: in how many frames the same measurement is written.
     """
 
     rows: RunRows
@@ -25,6 +25,7 @@ class MeasuredRun:
     reading: FloatArray
     repeats: IntArray
     good: BoolArray
+    frames: int = 1
 
     @property
     def instrument(self) -> str:
@@ -59,7 +60,7 @@ def noise_groups(runs: Sequence[Run]) -> tuple[str, ...]:
 def measured_runs(observed: Observations) -> list[MeasuredRun]:
     """Every run that has readings. By time where all of a run's rows have one that rises, else by their order."""
     found = []
-    same, groups = places(observed), noise_groups(observed.runs)
+    same, groups, frames = places(observed), noise_groups(observed.runs), _frames(observed)
     time = None if observed.context is None else observed.context.time
     for index in np.unique(observed.run).tolist():
         rows = np.flatnonzero(observed.run == index)
@@ -84,6 +85,23 @@ def measured_runs(observed: Observations) -> list[MeasuredRun]:
                 reading=observed.reading[rows],
                 repeats=same[rows],
                 good=np.ones(rows.size, dtype=bool),
+                frames=frames[index],
             )
         )
     return found
+
+
+def _frames(observed: Observations) -> list[int]:
+    """Of every run, in how many frames its measurement is written: those of a sphere cycle are rows along the bed and
+    along the workpiece, which hold the same noise. They are at the same positions, at the same time where there is one.
+    """
+    time = None if observed.context is None else observed.context.time
+    of_key: dict[Hashable, set[str]] = {}
+    keys: list[Hashable] = []
+    for index, run in enumerate(observed.runs):
+        rows = observed.run == index
+        at = observed.positions[:, rows].tobytes(), b"" if time is None else time[rows].tobytes()
+        single = run.instrument != "probe" or not rows.any()
+        keys.append(index if single else (run.device, run.session, run.target, run.reference, *at))
+        of_key.setdefault(keys[-1], set()).add(run.frame)
+    return [len(of_key[key]) for key in keys]

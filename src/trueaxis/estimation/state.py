@@ -52,8 +52,9 @@ class State:
         return [own_kinds(one.rows.run, self.layout.straightness[one.rows.index]) for one in self.runs]
 
     def whitening(self, place: int, rows: RunRows) -> Whitening:
-        """Of the rows that count of the run at a place."""
-        return Whitening(self.noise[self.runs[place].noise_group], rows.steps, float(self.scales[place]))
+        """Of the rows that count of the run at a place; a measurement that is written in two frames counts once."""
+        one, scale = self.runs[place], float(self.scales[place])
+        return Whitening(self.noise[one.noise_group], rows.steps, scale * float(np.sqrt(one.frames)))
 
     def derivatives(self, place: int) -> Iterable[Derivative]:
         """Of all readings of the run at a place, piece by piece."""

@@ -66,11 +66,11 @@ def swap_ratios(fitted: Fitted, posterior: Posterior) -> dict[Swap, float]:
 
 
 def _alike(fitted: Fitted) -> list[list[int]]:
-    """Places of runs of an instrument with as many readings; of very many those that fit worst."""
+    """Places of runs of a device with as many readings; of very many those that fit worst."""
     state = fitted.state
     members: dict[tuple[str, int], list[int]] = {}
     for place, one in enumerate(state.runs):
-        members.setdefault((one.instrument, one.reading.size), []).append(place)
+        members.setdefault((one.noise_group, one.reading.size), []).append(place)
     misfit = [float(np.mean(np.square(rest))) / float(scale) ** 2
               for rest, scale in zip(state.residual, state.scales, strict=True)]  # fmt: skip
     return [
@@ -99,7 +99,7 @@ def likely_set_ups(
     runs, few = fitted.state.runs, () if fitted.sizes.flat else wrong[:MOST_WRONG]
     for one in (run for run in runs if run.rows.index in few):
         others = [run for run in runs if run is not one]
-        partners = [run for run in others if run.instrument == one.instrument and run.rows.run != one.rows.run]
+        partners = [run for run in others if run.noise_group == one.noise_group and run.rows.run != one.rows.run]
         directions = _other_directions(fitted, one)
         told = one.noise_group in {run.noise_group for run in others}  # the noise of the run
         if not told or not (partners or directions):
