@@ -66,11 +66,16 @@ class TestBacklash:
                 assert holds(columns, 0.1 * self.signal() * shape)
 
     def test_it_may_differ_by_a_tenth_from_instrument_to_instrument(self) -> None:
-        rows = readings().rows
+        """Beside what both read together, which is its size: u of that holds nothing of how they differ."""
+        rows, signal = readings().rows, self.signal()
         columns = besides(self.cause())
         for instrument in ("laser", "ballbar"):
             mine = np.array([rows.runs[index].instrument == instrument for index in rows.run])
-            assert holds(columns, 0.1 * self.signal() * mine)
+            share = (signal[mine] ** 2).sum() / (signal**2).sum()
+            assert 0.0 < share < 1.0
+            wanted = 0.1 * signal * (mine - share)
+            assert holds(columns, wanted)
+            assert abs(wanted @ signal) < 1e-12 * (signal @ signal)
 
     @pytest.mark.parametrize("way", [0.3, 1.0])
     def test_it_may_be_taken_up_on_a_way(self, way: float) -> None:
