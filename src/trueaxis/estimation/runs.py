@@ -99,9 +99,10 @@ def _frames(observed: Observations) -> list[int]:
     of_key: dict[Hashable, set[str]] = {}
     keys: list[Hashable] = []
     for index, run in enumerate(observed.runs):
-        rows = observed.run == index
-        at = observed.positions[:, rows].tobytes(), b"" if time is None else time[rows].tobytes()
-        single = run.instrument != "probe" or not rows.any()
-        keys.append(index if single else (run.device, run.session, run.target, run.reference, *at))
+        key: Hashable = index
+        if run.instrument == "probe" and (rows := observed.run == index).any():
+            at = observed.positions[:, rows].tobytes(), None if time is None else time[rows].tobytes()
+            key = run.device, run.session, run.target, run.reference, *at
+        keys.append(key)
         of_key.setdefault(keys[-1], set()).add(run.frame)
     return [len(of_key[key]) for key in keys]

@@ -11,7 +11,8 @@ from trueaxis.estimation.state import State
 from trueaxis.measurement.machine import FloatArray
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
-# root mean square, in standard deviations of the noise, of what the exact model is away from the derivatives
+# root mean square, in standard deviations of the noise, of what the exact model is away from the derivatives. On eight
+# data sets with wrong runs the exact model was asked 300 times for 1000
 ALIKE = 0.01
 
 
