@@ -18,10 +18,11 @@ from trueaxis.diagnosis.further_runs.prospect import TIMES, Outlook, Prospect, i
 from trueaxis.diagnosis.further_runs.separation import separation, told
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.null_model.base import base_of
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis, NoiseOf
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.context import context_of
+from trueaxis.reporting.diagnosis.json_file import diagnosis_json
 
 PAIR = Effect(kind="backlash", component="EYX"), Effect(kind="backlash", component="EAX")
 SCALES = Effect(kind="laser_scale"), Effect(kind="ballbar_length")
@@ -263,9 +264,20 @@ def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float) -> Non
     assert names(after) == {Effect(kind=kind, component="EYX")}
 
 
-def _diagnosed(case: Case) -> Diagnosis:
+@pytest.mark.slow
+def test_without_further_runs_all_else_is_the_same() -> None:
+    case = Case(4, design=FEW, effects=(Hidden("backlash", "EYX", size=-4e-3),))
+    found, alone = _diagnosed(case), _diagnosed(case, ahead=False)
+    assert alone.next_runs == ()
+    assert found.next_runs
+    without = tuple(replace(one, separating=None) for one in found.causes)
+    expected = replace(found, causes=without, next_runs=())
+    assert diagnosis_json(alone, None, None) == diagnosis_json(expected, None, None)
+
+
+def _diagnosed(case: Case, *, ahead: bool = True) -> Diagnosis:
     given = prepared.__wrapped__(case)
-    return diagnose(given.model, given.data)
+    return diagnose(given.model, given.data, DiagnoseOptions(ahead=ahead))
 
 
 @pytest.mark.parametrize("far", [1.0, 1e4, 1e8])

@@ -11,7 +11,7 @@ from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.pitches import WITHIN, drawn, graded
 from trueaxis.diagnosis.extend import named_effects
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Cause, Diagnosis
 from trueaxis.reporting.diagnosis.text import summary_text
 
@@ -78,5 +78,5 @@ def test_what_differs_by_less_than_forms_do_is_a_rival_however_large() -> None:
 def test_a_pitch_that_is_named_alone_is_right_on_plans_drawn_at_random(seed: int) -> None:
     case = drawn(seed)
     given = prepared(case)
-    answer = graded(case, diagnose(given.model, given.data))
+    answer = graded(case, diagnose(given.model, given.data, DiagnoseOptions(ahead=False)))
     assert answer.pitch != "wrong", answer

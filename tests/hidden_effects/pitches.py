@@ -17,7 +17,7 @@ from tests.diagnosis.prepared import prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Cause, Diagnosis
 
 PITCHES = 2.0, 60.0  # mm
@@ -93,7 +93,7 @@ def main(first: int, count: int) -> None:
         start = time.process_time()
         case = drawn(seed)
         given = prepared(case)
-        said = diagnose(given.model, given.data)
+        said = diagnose(given.model, given.data, DiagnoseOptions(ahead=False))
         answer = graded(case, said)
         table[answer.pitch] += 1
         table["stale"] += bool(answer.stale)

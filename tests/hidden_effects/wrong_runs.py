@@ -17,7 +17,7 @@ from tests.diagnosis.prepared import Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.measurement.data import MeasuredData
 
@@ -146,7 +146,7 @@ def main(first: int, count: int, faults: Sequence[str]) -> None:
         start = time.process_time()
         one = drawn(seed, faults or FAULTS)
         try:
-            said = diagnose(prepared(one.case).model, one.data)
+            said = diagnose(prepared(one.case).model, one.data, DiagnoseOptions(ahead=False))
         except Exception as error:  # a diagnosis that breaks down is a result, and no reason to lose the others
             table.setdefault(one.fault, Counter())["failed"] += 1
             print(

@@ -12,7 +12,8 @@ from trueaxis.diagnosis.causes.search import Found, Ground, Rival
 from trueaxis.diagnosis.causes.signature import Fitted, Readings
 from trueaxis.diagnosis.further_runs.absences import absences
 from trueaxis.diagnosis.further_runs.audit import DETECTION, Audit
-from trueaxis.diagnosis.further_runs.next_runs import Ahead, ahead_of, next_runs, separating_run
+from trueaxis.diagnosis.further_runs.next_runs import ahead_of, next_runs, separating_run
+from trueaxis.diagnosis.further_runs.of_plan import NextRun, Separating
 from trueaxis.diagnosis.further_runs.prospect import Prospect
 from trueaxis.diagnosis.judging.gain import Left, fit, predicted
 from trueaxis.diagnosis.judging.instruments import Off
@@ -59,13 +60,20 @@ class Outcome:
     gain: Gain
 
 
-def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect, report: Mapping[str, str]) -> Diagnosis:
-    """The record. audited, prospect: of what the runs can show; report: what setup.toml says in free words."""
+def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect | None, report: Mapping[str, str]) -> Diagnosis:
+    """The record. audited, prospect: of what the runs can show, and what further ones could, None where nobody asked;
+    report: what setup.toml says in free words.
+    """
     ground, judged = outcome.ground, outcome.judged
     stale, instead = outcome.changes.stale, judged.or_changed
     verdict = verdict_of(judged.search, judged.stand, judged.checks, stale, judged.off, judged.misfits, instead)
-    ahead = tuple(ahead_of(prospect, _found(judged, one), float(one.values[0])) for one in judged.causes)
-    causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
+    further: tuple[NextRun, ...] = ()
+    separating: tuple[Separating | None, ...] = (None,) * len(judged.causes)
+    if prospect is not None:
+        ahead = tuple(ahead_of(prospect, _found(judged, one), float(one.values[0])) for one in judged.causes)
+        further = next_runs(prospect, audited, ahead, () if judged.misfits else judged.checks, outcome.null.noise)
+        separating = tuple(separating_run(ground.readings.model.machine.kinds, one) for one in ahead)
+    causes = tuple(_cause(outcome, index, one) for index, one in enumerate(separating))
     if verdict != "unexplained_structure":
         causes += tuple(_of_instrument(ground, one) for one in judged.off)
     return Diagnosis(
@@ -84,7 +92,7 @@ def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect, report: M
         gain=outcome.gain,
         circles=_circles(ground.readings, outcome.left),
         recalibration_p=outcome.changes.p_value,
-        next_runs=next_runs(prospect, audited, ahead, () if judged.misfits else judged.checks, outcome.null.noise),
+        next_runs=further,
         absences=absences(ground.readings, audited),
         second_order=second_order_of(ground),
         residuals=_residuals(outcome),
@@ -109,8 +117,8 @@ def _circles(readings: Readings, left: Left) -> tuple[Circle, ...]:
     return tuple(found)
 
 
-def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
-    ground, judged = outcome.ground, outcome.judged
+def _cause(outcome: Outcome, index: int, separating: Separating | None) -> Cause:
+    judged = outcome.judged
     fitted = judged.causes[index]
     found = _found(judged, fitted)
     groups, homogeneous_p = judged.groups[index]
@@ -134,7 +142,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         amplitudes=groups,
         homogeneous_p=homogeneous_p,
         remainder=any(check.fired for check in judged.checks),
-        separating=separating_run(ground.readings.model.machine.kinds, ahead),
+        separating=separating,
         or_changed=judged.or_changed,
     )
 

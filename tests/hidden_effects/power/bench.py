@@ -7,7 +7,7 @@ from pathlib import Path
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.power.grade import Name, Said
 from tests.kept import derived
-from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.data import read_data
@@ -33,7 +33,7 @@ def diagnosed(case: Case) -> Diagnosis:
         folder = Path(place)
         generate(case).write(folder)
         model = load_model(folder / "machine.toml", folder / "errors.json", derived(folder / "machine.toml"))
-        return diagnose(model, read_data(folder / "data", model.machine))
+        return diagnose(model, read_data(folder / "data", model.machine), DiagnoseOptions(ahead=False))
 
 
 def said_of(found: Diagnosis) -> Said:

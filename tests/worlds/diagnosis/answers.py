@@ -46,7 +46,8 @@ def said_of(folder: Path, kernels: Path) -> Answer:
     start = time.process_time()
     model = load_model(folder / "machine.toml", folder / "errors.json", kernels)
     covariance = load_uncertainty(folder / "errors.json", model.errors, model.machine)
-    found = diagnose(model, read_data(folder / "data", model.machine), DiagnoseOptions(covariance=covariance))
+    options = DiagnoseOptions(covariance=covariance, ahead=False)
+    found = diagnose(model, read_data(folder / "data", model.machine), options)
     seconds = time.process_time() - start
     return answer_of(json.loads(diagnosis_json(found, None, None)), seconds)
 
