@@ -1,6 +1,7 @@
 """A set-up that contradicts itself is refused by every command that reads it, with what would be right."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from trueaxis.cli.main import main
 from trueaxis.identification.believable_setup import setup_faults
+from trueaxis.io.faults import Fault
 from trueaxis.measurement.data import read_data
 from trueaxis.model.model import load_model
 
@@ -179,3 +181,37 @@ def test_a_dimension_that_is_given_wrong_is_named(tmp_path: Path, capsys: pytest
     assert "the ball on the workpiece would have to be at [270.0, -350.0, 280.0]" in told
     assert "dimension q_Tx" not in told
     assert "is the length" not in told
+
+
+def faults(data: Path) -> list[Fault]:
+    model = load_model(Path(MACHINE), None, ROOT / "generated")
+    zero = dict.fromkeys(model.dimensions, 0.0)
+    return setup_faults(model.with_values(replace(model.errors, parameters=zero)), read_data(data, model), data)
+
+
+def test_what_one_slip_explains_is_one_fault(tmp_path: Path) -> None:
+    """A wrong sense was said once for each of 44 runs. The third bar has a slip of its own."""
+    heads, rows = "", list[str]()
+    for run, (y, low) in {"low": (350.0, 0.0), "high": (350.0, 90.0), "third": (-350.0, 0.0)}.items():
+        turn = np.linspace(0.0, 2.0 * np.pi, 40)
+        at = zip(270.0 + 200.0 * np.cos(turn), 350.0 + 200.0 * np.sin(turn), strict=True)
+        rows += [f"{run},{k},{float(a)!r},{float(b)!r},{200.0 + low},0.001" for k, (a, b) in enumerate(at)]
+        head = BAR.format(y=y, length=150.0 if run == "third" else 200.0).replace("200.0]", f"{200.0 + low}]")
+        heads += "[[run]]" + head.split("[[run]]")[1].replace('"bar"', f'"{run}"')
+    first, second = faults(written(tmp_path / "data", BAR.split("[[run]]", maxsplit=1)[0] + heads, rows))
+    assert "2 runs contradict the machine, and none of them would if Y moved the other way" in first.problem
+    assert first.remedy.startswith("sense of axis Y in the spec")
+    assert first.remedy.endswith("the runs are low and high")
+    assert (second.place, "is the length 199.999 mm?" in second.remedy) == ("run third", True)
+
+
+def test_runs_whose_readings_are_all_too_large_are_one_fault(tmp_path: Path) -> None:
+    data = line(tmp_path / "data", 0.4)
+    setup, readings = data / "setup.toml", data / "readings.csv"
+    head, run = setup.read_text().split("[[run]]")
+    setup.write_text(f"{head}[[run]]{run}[[run]]{run.replace('line', 'again')}")
+    table = readings.read_text()
+    readings.write_text(table + table.split("\n", 1)[1].replace("line", "again"))
+    (fault,) = faults(data)
+    assert "run line, seq 2, 3, 4, 5, 6 and 13 more: up to 7.6 mm" in fault.problem
+    assert fault.problem.endswith("likewise again")

@@ -11,7 +11,7 @@ from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness, relative_motion
-from trueaxis.identification.believable_setup import _tip_faults
+from trueaxis.identification.believable_setup import wrong_tip
 from trueaxis.identification.notes import tip_notes
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
@@ -179,15 +179,19 @@ def test_a_rotary_axis_that_turns_the_other_way_than_its_spec_says_is_named() ->
     turns = [one for one in candidates(machine, replace(ALL, everywhere=False)) if "C turning at B0 about" in one.what]
     row = machine.axes.index("C")
     for one in turns:
-        assert _tip_faults(machine, one.run, one.positions, Path()) == []
+        assert wrong_tip(machine, one.run, one.positions, Path()) is None
         turned = one.positions.copy()
         turned[row] *= -1.0
-        (fault,) = _tip_faults(machine, one.run, turned, Path())
+        found = wrong_tip(machine, one.run, turned, Path())
+        assert found is not None
+        fault = found.fault
         assert fault.place == f"run {one.run.id}"
         assert "C moved the other way, it would stay there within 0.001 mm" in fault.problem
         assert fault.remedy in ("sense of axis X, Y or C in the spec", "sense of axis C in the spec")
         radians = one.positions.copy()
         radians[row] = np.deg2rad(radians[row])
-        (fault,) = _tip_faults(machine, one.run, radians, Path())
+        found = wrong_tip(machine, one.run, radians, Path())
+        assert found is not None
+        fault = found.fault
         assert (fault.place, fault.remedy) == ("column B or C", "degrees")
         assert "if these positions were radians, it would stay there within 0.001 mm" in fault.problem

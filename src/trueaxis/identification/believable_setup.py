@@ -14,6 +14,7 @@ import numpy as np
 
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.fit_quality import expected_size
+from trueaxis.identification.slips import Slip, Wrong, faults_of
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault
 from trueaxis.machine.machine import LINEAR, ROTARY
@@ -44,20 +45,20 @@ FARTHEST = 500.0  # mm from what is given, from where a dimension is sought as w
 
 def setup_faults(model: MachineModel, data: MeasuredData, folder: Path) -> list[Fault]:
     """Runs whose set-up or readings are not believable on the machine; dimensions are those of the model's values."""
-    found: dict[str, list[Fault]] = {}
+    wrong: list[Wrong] = []
     for index, run in enumerate(data.setup.runs):
         rows = data.readings.of_run(index)
-        if rows.size:
-            found[run.id] = _faults_of_run(model, run, data.readings, rows, folder)
-    wrong = [run for run, faults in found.items() if faults]
+        if rows.size and (found := _wrong(model, run, data.readings, rows, folder)) is not None:
+            wrong.append(found)
     silent = _silent(model)
     if not silent or len(wrong) < 2:
-        return [fault for faults in found.values() for fault in faults]
-    problem = f"{len(wrong)} runs contradict them as zero, which is what they are taken for: {', '.join(wrong)}"
+        return faults_of(wrong)
+    named = ", ".join(one.run for one in wrong)
+    problem = f"{len(wrong)} runs contradict them as zero, which is what they are taken for: {named}"
     remedy = (
         "give them with --known E.json (a file of error values with these parameters, mm); the first of these runs:"
     )
-    return [Fault("dimensions not given", ", ".join(silent), problem, remedy), found[wrong[0]][0]]
+    return [Fault("dimensions not given", ", ".join(silent), problem, remedy), wrong[0].fault]
 
 
 def _silent(model: MachineModel) -> list[str]:
@@ -65,26 +66,21 @@ def _silent(model: MachineModel) -> list[str]:
     return [name for name in model.dimensions if name not in model.errors.parameters]
 
 
-def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.ndarray, folder: Path) -> list[Fault]:
+def _wrong(model: MachineModel, run: Run, readings: Readings, rows: np.ndarray, folder: Path) -> Wrong | None:
     positions = np.ascontiguousarray(readings.positions[:, rows])
     reading = np.nan_to_num(readings.reading[rows])  # a plan's rows are checked for their geometry
-    if run.instrument == "probe" and (faults := _tip_faults(model, run, positions, folder)):
-        return faults
+    if run.instrument == "probe" and (of_tip := wrong_tip(model, run, positions, folder)) is not None:
+        return of_tip
     ideal = ideal_reading(model, run, positions)
     allowed = BELIEVED * expected_size(model, run, positions) + _set_up(model, run, positions)
     wrong = np.flatnonzero(~(np.abs(ideal - reading) <= allowed))
     if wrong.size == 0:
-        return []
+        return None
     first = int(wrong[0])
     if run.instrument == "ballbar" and not abs(ideal[first]) <= abs(reading[first]):  # what is far: the balls
-        return [
-            Fault(
-                str(folder / FILE_NAME),
-                f"run {run.id}",
-                _apart(run, ideal[first], first),
-                _ball_causes(model, run, positions, reading),
-            )
-        ]
+        causes, slips = _ball_causes(model, run, positions, reading, str(folder / FILE_NAME))
+        fault = Fault(str(folder / FILE_NAME), f"run {run.id}", _apart(run, ideal[first], first), causes)
+        return Wrong(run.id, fault, slips)
     named = ", ".join(str(readings.seq[rows[row]]) for row in wrong[:MOST_ROWS])
     more = f" and {wrong.size - MOST_ROWS} more" if wrong.size > MOST_ROWS else ""
     worst = int(wrong[np.argmax(np.abs(reading[wrong]))])
@@ -94,7 +90,7 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
         f"run {run.id}, seq {named}{more}: up to {off:.6g} {unit}, where errors of machine and set-up "
         f"allow {most:.2g} {unit} at most"
     )
-    return [Fault(str(readings_path(folder)), "column reading", problem, IN_UNIT.format(unit=unit))]
+    return Wrong(run.id, Fault(str(readings_path(folder)), "column reading", problem, IN_UNIT.format(unit=unit)))
 
 
 def _set_up(model: MachineModel, run: Run, positions: FloatArray) -> FloatArray | float:
@@ -110,34 +106,53 @@ def _apart(run: Run, off: float, row: int) -> str:
     return f"the balls are {length + off:.6g} mm apart {at}, not {length:g} mm"
 
 
-def _ball_causes(model: MachineModel, run: Run, positions: FloatArray, reading: FloatArray) -> str:
+def _ball_causes(
+    model: MachineModel, run: Run, positions: FloatArray, reading: FloatArray, file: str
+) -> tuple[str, tuple[Slip, ...]]:
     """What explains the distances by itself, likeliest first: dimensions are given apart from the set-up and forgotten,
     an axis is written the wrong way round, which needs no number to agree, a ball is set up by hand, a length stands on
-    the bar. reading: (n,), mm.
+    the bar; and those of these that other runs may have as well. reading: (n,), mm; file: of the set-up.
     """
     every = slice(None, None, max(positions.shape[1] // MOST_FITTED, 1))
     positions = np.ascontiguousarray(positions[:, every])
     length = cast(float, run.length) + reading[every]
     silent = _silent(model)
+    forgotten, wrong = (
+        dict(_dimensions(model, run, positions, length, names))
+        for names in (silent, [name for name in model.dimensions if name not in silent])
+    )
+    turned = tuple(_senses(model, run, positions, length))
     causes = [
-        *_dimensions(model, run, positions, length, silent),
-        *_senses(model, run, positions, length),
-        *_dimensions(model, run, positions, length, [name for name in model.dimensions if name not in silent]),
+        *(_dimension(model, *one) for one in forgotten.items()),
+        *(f"does {axis} move the other way? ({SENSE.format(axis=axis)})" for axis in turned),
+        *(_dimension(model, *one) for one in wrong.items()),
         *_ball(model, run, positions, length),
         *_length(model, run, positions, length),
     ]
+    slips = [_other_sense(axis, file) for axis in turned]
+    slips += [_other_dimension(model, name, value, file) for name, values in wrong.items() for value in values]
     hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
     if not causes:
-        return f"points, positions and length that agree{hint}"
+        return f"points, positions and length that agree{hint}", ()
     first = "" if len(causes) == 1 else "one of these, likeliest first: "
-    return f"{first}{'; '.join(causes)}{hint}"
+    return f"{first}{'; '.join(causes)}{hint}", tuple(slips)
+
+
+def _other_sense(axis: str, file: str) -> Slip:
+    return Slip(f"{axis} moved the other way", file, SENSE.format(axis=axis))
+
+
+def _other_dimension(model: MachineModel, name: str, value: float, file: str) -> Slip:
+    """To a millimetre: a ball is set up within five with a ruler."""
+    given = model.errors.parameters[name]
+    return Slip(f"{name} were {round(value)} mm", file, f"dimension {name} (--known; given as {given:g})")
 
 
 def _senses(model: MachineModel, run: Run, positions: FloatArray, length: FloatArray) -> Iterator[str]:
     for row, axis in enumerate(model.axes):
         off = np.abs(np.linalg.norm(ideal_bar(model, run, _other_way(positions, row)), axis=0) - length)
         if positions[row].any() and float(off.max()) <= OFF:
-            yield f"does {axis} move the other way? ({SENSE.format(axis=axis)})"
+            yield axis
 
 
 def _other_way(positions: FloatArray, row: int) -> FloatArray:
@@ -147,25 +162,24 @@ def _other_way(positions: FloatArray, row: int) -> FloatArray:
     return found
 
 
-def _tip_faults(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> list[Fault]:
-    """Of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other way,
-    or if the rotary axes were written in radians.
+def wrong_tip(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> Wrong | None:
+    """A run of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other
+    way, or if the rotary axes were written in radians.
 
     Where neither does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
     """
     moving = {axis for axis, at in zip(model.axes, positions, strict=True) if np.ptp(at) > 0.0}
     way = _of_tip(model, run, positions)
     if not (moving & set(LINEAR) and moving & set(ROTARY)) or way <= SET_UP["probe"]:
-        return []
+        return None
     rotary = [axis for axis in model.axes if axis in ROTARY]
     turned = np.array([axis in ROTARY for axis in model.axes])
     in_degrees = np.where(turned[:, np.newaxis], np.rad2deg(positions), positions)
     if (within := _of_tip(model, run, in_degrees)) <= SET_UP["probe"]:
-        problem = (
-            f"run {run.id}: the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if these positions "
-            f"were radians, it would stay there within {max(SMALLEST_OFF, within):.2g} mm"
-        )
-        return [Fault(str(readings_path(folder)), f"column {enumerated(rotary, 'or')}", problem, "degrees")]
+        problem = _leaves(way, "these positions were radians", within)
+        columns, file = f"column {enumerated(rotary, 'or')}", str(readings_path(folder))
+        radians = Slip(f"their positions of {enumerated(rotary)} were radians", file, f"degrees in {columns}")
+        return Wrong(run.id, Fault(file, columns, f"run {run.id}: {problem}", "degrees"), (radians,))
     left = {}
     for row, axis in enumerate(model.axes):
         if axis in moving:
@@ -173,13 +187,19 @@ def _tip_faults(model: MachineModel, run: Run, positions: FloatArray, folder: Pa
             left[axis] = _of_tip(model, replace(run, home=home), _other_way(positions, row))
     others = [axis for axis, off in left.items() if off <= SET_UP["probe"]]
     if not others:
-        return []
-    named, within = enumerated(others, "or"), max(SMALLEST_OFF, *(left[axis] for axis in others))
-    problem = (
-        f"the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if {named} moved the other way, it "
-        f"would stay there within {within:.2g} mm"
+        return None
+    file, within = str(folder / FILE_NAME), max(left[axis] for axis in others)
+    named = enumerated(others, "or")
+    problem = _leaves(way, f"{named} moved the other way", within)
+    fault = Fault(file, f"run {run.id}", problem, SENSE.format(axis=named))
+    return Wrong(run.id, fault, tuple(_other_sense(axis, file) for axis in others))
+
+
+def _leaves(way: float, supposed: str, within: float) -> str:
+    return (
+        f"the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if {supposed}, it would stay there "
+        f"within {max(SMALLEST_OFF, within):.2g} mm"
     )
-    return [Fault(str(folder / FILE_NAME), f"run {run.id}", problem, SENSE.format(axis=named))]
 
 
 def _of_tip(model: MachineModel, run: Run, positions: FloatArray) -> float:
@@ -189,7 +209,8 @@ def _of_tip(model: MachineModel, run: Run, positions: FloatArray) -> float:
 
 def _dimensions(
     model: MachineModel, run: Run, positions: FloatArray, length: FloatArray, names: Sequence[str]
-) -> Iterator[str]:
+) -> Iterator[tuple[str, list[float]]]:
+    """Those that explain the distances, each with its values, mm, the next to what is given first."""
     for name in names:
         given = model.errors.parameters.get(name, 0.0)
         bars = [ideal_bar(_with(model, name, value), run, positions) for value in (given, given + 1.0)]
@@ -199,9 +220,14 @@ def _dimensions(
 
         values = _fits(off, [np.array([start]) for start in (-FARTHEST, FARTHEST)])
         if values:
-            told = [f"{round(given + float(value[0]), 3) + 0.0:g}" for value in values]
-            taken = "given as" if name in model.errors.parameters else "not given, taken as"
-            yield f"dimension {name} = {enumerated(told, 'or')} mm (--known; {taken} {given:g})"
+            yield name, [given + float(value[0]) for value in values]
+
+
+def _dimension(model: MachineModel, name: str, values: Sequence[float]) -> str:
+    given = model.errors.parameters.get(name, 0.0)
+    told = [f"{round(value, 3) + 0.0:g}" for value in values]
+    taken = "given as" if name in model.errors.parameters else "not given, taken as"
+    return f"dimension {name} = {enumerated(told, 'or')} mm (--known; {taken} {given:g})"
 
 
 def _with(model: MachineModel, name: str, value: float) -> MachineModel:
