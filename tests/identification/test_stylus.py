@@ -10,13 +10,14 @@ from tests.worlds.estimates import TOOL, World, deviations, rms_um, world
 from tests.worlds.readings import measure
 from tests.worlds.truth import Truth, draw_machine
 from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.instruments import STYLUSES
 from trueaxis.estimation.result import Estimate
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
 
 pytestmark = pytest.mark.usefixtures("values_alone")
 SEED, MACHINE = 11, 11000  # X, Y, Z, B, C; a probe with two styluses on two spheres, 6 runs of 18
-LONGER = 0.05  # mm
+LONGER, EXACT = 0.05, 1e-4  # mm
 
 
 @pytest.fixture(scope="module")
@@ -52,14 +53,16 @@ def off(one: World, truth: Truth, found: Estimate) -> float:
     )
 
 
-def test_a_stylus_of_uncertain_length_is_none_of_the_machine(five_axes: World, truth: Truth) -> None:
-    stated = estimated(five_axes, truth, LONGER)
-    unstated = estimated(five_axes, truth, None)
-    rows = [place for place, one in enumerate(stated.layout.shared) if one.kind == "stylus length"]
+@pytest.mark.parametrize("length_u", [LONGER, None])
+def test_a_stylus_of_uncertain_length_is_none_of_the_machine(
+    five_axes: World, truth: Truth, length_u: float | None
+) -> None:
+    """Stated, or as usual: nobody knows a length exactly; with a length that is taken as known it is the machine's."""
+    found, exact = estimated(five_axes, truth, length_u), estimated(five_axes, truth, EXACT)
+    rows = [place for place, one in enumerate(found.layout.shared) if one.kind in STYLUSES]
     assert len(rows) == 2  # of two tips
-    length = stated.unknowns[stated.layout.of_shared][rows]
-    u = np.linalg.norm(stated.spread[stated.layout.of_shared][rows], axis=1)
+    length = found.unknowns[found.layout.of_shared][rows]
+    u = np.linalg.norm(found.spread[found.layout.of_shared][rows], axis=1)
     assert u.max() < 0.2 * LONGER
     assert (np.abs(length - LONGER) < 2.0 * u).all()
-    assert not [one for one in unstated.layout.shared if one.kind == "stylus length"]
-    assert off(five_axes, truth, stated) < 0.6 * off(five_axes, truth, unstated)
+    assert off(five_axes, truth, found) < 0.6 * off(five_axes, truth, exact)

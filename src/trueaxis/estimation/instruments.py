@@ -12,7 +12,7 @@ Of several runs (shared):
   scale    of a laser: wavelength, air
   cosine   of one alignment of a laser: it reads short by half the square of its angle
   turn     of what a probe probes over a way: a plate or a straightedge is aligned by eye or by the machine itself
-  stylus   of a probe whose device's table states how well its length is known: the tip, along Z of the tool frame
+  stylus   of a probe: its tip, along Z of the tool frame
 Every unknown belongs to a class, whose size is estimated about the one given here: where runs were set up anew, or a
 scale was calibrated, is then found out.
 """
@@ -49,6 +49,8 @@ SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
 TOOL_AXIS = 2  # Z of the tool frame, along which a stylus is long: ISO 841 has it point from the tool to its holder
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 BALL_OF_RUN = "ballbar centre of a run"
+PROBE_LENGTH = "probe length"  # where nobody states how well it is known
+STYLUSES = (PROBE_LENGTH, "stated stylus")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,11 +94,13 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="ballbar length", unit="mm", size=20e-3, factor=CALIBRATED_FACTOR),
         UnknownClass(name="laser scale", unit="1", size=1e-6, factor=CALIBRATED_FACTOR),
         UnknownClass(name="laser cosine", unit="1", size=0.5e-6, factor=CALIBRATED_FACTOR),
+        # a stylus is measured on a presetter or on a gauge, whose own place is known to some hundredths
+        UnknownClass(name=PROBE_LENGTH, unit="mm", size=20e-3, factor=CALIBRATED_FACTOR),
         UnknownClass(name="probe sphere", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
         UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
-        UnknownClass(name="stylus length", unit="mm", size=1.0, factor=STATED_FACTOR),
+        UnknownClass(name="stated stylus", unit="mm", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated slope", unit="rad", size=1.0, factor=STATED_FACTOR),
     )
@@ -166,8 +170,8 @@ def shared_unknowns(runs: Sequence[Run], taken: Sequence[Taken], straightness: S
             sphere = ball_of(run)[1]
             if sphere.on not in (run.frame, "bed"):
                 keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
-            if run.device is not None and run.device.length_u is not None and tip_of(run) is not None:
-                keys.append(("stylus length", (run.session, run.device, tip_of(run)), 0))
+            if tip_of(run) is not None:
+                keys.append((_stylus(run), (run.session, run.device, tip_of(run)), 0))
         elif straightness[index]:
             keys = [("stated slope", index, 0)] if states_line(run) else []
         elif run.instrument in (ANGLE, AT_REST):
@@ -185,6 +189,10 @@ def shared_unknowns(runs: Sequence[Run], taken: Sequence[Taken], straightness: S
     ]
 
 
+def _stylus(run: Run) -> str:
+    return PROBE_LENGTH if run.device is None or run.device.length_u is None else "stated stylus"
+
+
 def states_line(run: Run) -> bool:
     """Whether it is known how a line of straightness is aligned."""
     return run.device is not None and run.device.line_u is not None
@@ -195,7 +203,7 @@ def _shared_size(kind: str, run: Run) -> float:
     if known is None:
         return CLASSES[kind].size
     length, scale, slope = known.length_u, known.scale_u, known.line_u
-    stated = {"stated length": length, "stylus length": length, "stated scale": scale, "stated slope": slope}
+    stated = {"stated length": length, "stated stylus": length, "stated scale": scale, "stated slope": slope}
     size = stated.get(kind)
     return CLASSES[kind].size if size is None else size
 
@@ -217,7 +225,7 @@ def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, 
         return np.asarray(np.einsum("in,ni->n", direction, turned))
     sign, point = ball_of(run)
     coordinate, tip = unknown.coordinate, tip_of(run)
-    if unknown.kind == "stylus length" and tip is not None:
+    if unknown.kind in STYLUSES and tip is not None:
         point, coordinate = tip, TOOL_AXIS  # it has the other sign than the ball, and a longer one ends at a lower Z
     turned = carried(machine, run, point, coordinate, positions)
     home = home_positions(run, machine.axes)

@@ -18,6 +18,7 @@ from trueaxis.identification.believable_setup import SET_UP
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
+from trueaxis.identification.tip_lengths import resting_on_length
 from trueaxis.identification.words import enumerated
 from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import MeasuredData
@@ -170,8 +171,14 @@ def estimate_notes(
         *(_rough(found) if prior else ()),
         *_alignment(observed, found),
         *misread_notes(observed, found, prior=prior),
-        *(str(one) for one in far_zeros(observed, found) if not one.of_bars),
+        *_of_instruments(observed, found),
     )
+
+
+def _of_instruments(observed: Observations, found: Estimate) -> Iterator[str]:
+    """What the estimate attributes to them, or cannot tell from them."""
+    yield from (str(one) for one in far_zeros(observed, found) if not one.of_bars)
+    yield from (str(one) for one in resting_on_length(observed, found) if not one.far)
 
 
 def _times(log_ratio: float) -> str:

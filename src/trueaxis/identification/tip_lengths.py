@@ -1,0 +1,60 @@
+"""Location errors that a probe tells only as well as its length is known, which nobody has stated."""
+
+from dataclasses import dataclass
+
+from trueaxis.estimation.instruments import CLASSES, PROBE_LENGTH
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
+
+# mm per mm, from which on a location error is said to follow the length: other readings tell the smaller part of it
+FOLLOWS = 0.5
+# times what a length is usually known to: 0.2 mm. A stylus is not as far off, a wrong number may be
+FAR_LENGTH = 10.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RestsOnLength:
+    """location: follows the length of the probe of the runs, by id; value, mm; longer: by how much the probe would have
+    to be longer than setup.toml says for a location error of zero, mm.
+    """
+
+    location: str
+    runs: tuple[str, ...]
+    value: float
+    longer: float
+
+    @property
+    def far(self) -> bool:
+        """Whether one of them is a wrong number: the location error, or the length in the set-up."""
+        return abs(self.longer) > FAR_LENGTH * CLASSES[PROBE_LENGTH].size
+
+    def __str__(self) -> str:
+        named = self.runs[0] if len(self.runs) == 1 else f"{self.runs[0]} and {len(self.runs) - 1} more"
+        than = f"{abs(self.longer) * 1e3:.4g} um {'longer' if self.longer > 0.0 else 'shorter'}"
+        usual = CLASSES[PROBE_LENGTH].size * 1e3
+        return (
+            f"{self.location} ({self.value * 1e3:.4g} um) and the length of the probe of {named} look the same to the "
+            f"readings: with a probe {than} than setup.toml says it would be 0. The length is taken as known to "
+            f"{usual:g} um, since no [device] table states length_u_um: state how well it is known, or measure circles "
+            "by ball bar while the rotary axis turns"
+        )
+
+
+def resting_on_length(observed: Observations, found: Estimate) -> tuple[RestsOnLength, ...]:
+    """Of each location error that follows one, of all runs whose probe it follows; the largest first."""
+    layout = found.layout
+    first = int(layout.offsets[-1])
+    each: dict[str, RestsOnLength] = {}
+    for place, one in enumerate(layout.shared):
+        if one.kind != PROBE_LENGTH:
+            continue
+        length = found.spread[layout.of_shared][place]
+        for row, name in enumerate(layout.locations, first):
+            follows = float(found.spread[row] @ length) / max(float(length @ length), 1e-300)
+            if layout.model.machine.parameter_unit(name) == "mm" and abs(follows) >= FOLLOWS:
+                value = float(found.unknowns[row])
+                runs = tuple(observed.runs[index].id for index in one.runs)
+                if name in each:
+                    runs = (*each[name].runs, *runs)
+                each[name] = RestsOnLength(location=name, runs=runs, value=value, longer=-value / follows)
+    return tuple(sorted(each.values(), key=lambda one: -abs(one.longer)))
