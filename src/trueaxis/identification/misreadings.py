@@ -13,6 +13,7 @@ from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
+from trueaxis.identification.stuck import stuck_runs
 from trueaxis.identification.tip_lengths import resting_on_length
 from trueaxis.identification.words import enumerated
 
@@ -65,8 +66,9 @@ class Contradicting:
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *, prior: bool) -> FitQuality:
-    """A misfit where runs are misread for sure, contradict the others by much, are of a ball bar whose zero is far off,
-    or of a probe whose length would explain a large location error: the values follow them, or what they contradict.
+    """A misfit where runs are misread for sure, contradict the others by much, show the same again and again, are of a
+    ball bar whose zero is far off, or of a probe whose length would explain a large location error: the values follow
+    them, or what they contradict.
 
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
@@ -80,6 +82,8 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     for one in far_zeros(observed, found):
         if one.of_bars and not ids:
             reasons, named = [*reasons, str(one)], tuple(dict.fromkeys([*named, *one.of_run]))
+    for still in stuck_runs(observed, found):
+        reasons, named = [str(still), *reasons], tuple(dict.fromkeys([still.run, *named]))
     for resting in resting_on_length(observed, found):
         if resting.far:
             reasons, named = [*reasons, str(resting)], tuple(dict.fromkeys([*named, *resting.runs]))
