@@ -8,10 +8,11 @@ import numpy as np
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE, harmonics_of, range_of
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
-from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
+from trueaxis.estimation.instruments import STYLUSES, SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up_anew import taken_runs
+from trueaxis.machine.machine import ROTARY
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.bases import LegendreBasis, travel_basis
 from trueaxis.model.curves import Curve, LegendreCurve
@@ -102,6 +103,12 @@ class Layout:
         return found
 
 
+def _turned(model: MachineModel, observed: Observations, index: int) -> bool:
+    """Whether a rotary axis stands elsewhere than at home in a run: else its zero holds the length of its tool."""
+    home, at = observed.runs[index].home, observed.positions[:, observed.run == index]
+    return any(axis in ROTARY and (at[row] != home[axis]).any() for row, axis in enumerate(model.axes))
+
+
 def layout_of(
     model: MachineModel,
     observed: Observations,
@@ -122,7 +129,11 @@ def layout_of(
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
     time = None if observed.context is None else observed.context.time
-    shared = shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
+    shared = [
+        one
+        for one in shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
+        if one.kind not in STYLUSES or any(_turned(model, observed, index) for index in one.runs)
+    ]
     others = other_degrees or {}
     harmonics = {axis: harmonics_of(axis, model.travel[axis]) for axis in model.axes}
     ranges = {

@@ -32,6 +32,7 @@ DRIFT = 3.0  # times the usual drift of a run of the instrument: a smaller slow 
 MOST_SLOW = 0.999 * float(np.sqrt(SHARES[-1]))  # of the noise: the largest that is looked for
 MOST_OUTLIERS = 20  # named
 MOST_RUNS = 5  # named
+ON_LINE = 1.0  # mm or deg, within which a laser was set to zero on the line of its run
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
 
@@ -176,9 +177,32 @@ def estimate_notes(
 
 
 def _of_instruments(observed: Observations, found: Estimate) -> Iterator[str]:
-    """What the estimate attributes to them, or cannot tell from them."""
+    """What the estimate attributes to them, or cannot tell from them, and where they were set to zero."""
+    yield from homes_notes(found.layout.model, observed)
     yield from (str(one) for one in far_zeros(observed, found) if not one.of_bars)
     yield from (str(one) for one in resting_on_length(observed, found) if not one.far)
+
+
+def homes_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
+    """Lines by laser that were set to zero where they do not lead: their beam is nowhere else."""
+    away = []
+    for index, run in enumerate(observed.runs):
+        positions = observed.positions[:, observed.run == index]
+        if run.instrument != "laser" or not positions.size:
+            continue
+        still = np.ptp(positions, axis=1) == 0.0
+        home = np.array([run.home[axis] for axis in model.axes])
+        off = still & (np.abs(positions[:, 0] - home) > ON_LINE)
+        if off.any():
+            away.append(f"{run.id} ({enumerated([axis for axis, far in zip(model.axes, off, strict=True) if far])})")
+    if not away:
+        return ()
+    rest = f" and {len(away) - MOST_RUNS} more runs" if len(away) > MOST_RUNS else ""
+    return (
+        f"{', '.join(away[:MOST_RUNS])}{rest}: on these lines the axes in brackets stand elsewhere than at `home` in "
+        "setup.toml (0 where the key is left out). A laser is set to zero on its line; what the machine is off by "
+        "between the two counts as error",
+    )
 
 
 def _times(log_ratio: float) -> str:
