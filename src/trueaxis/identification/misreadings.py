@@ -11,6 +11,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
+from trueaxis.identification.far_scales import as_scale, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.stuck import stuck_runs
@@ -67,8 +68,8 @@ class Contradicting:
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *, prior: bool) -> FitQuality:
     """A misfit where runs are misread for sure, contradict the others by much, show the same again and again, are of a
-    ball bar whose zero is far off, or of a probe whose length would explain a large location error: the values follow
-    them, or what they contradict.
+    ball bar whose zero or a laser whose scale is far off, or of a probe whose length would explain a large location
+    error: the values follow them, or what they contradict.
 
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
@@ -84,6 +85,9 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
             reasons, named = [*reasons, str(one)], tuple(dict.fromkeys([*named, *one.of_run]))
     for still in stuck_runs(observed, found):
         reasons, named = [str(still), *reasons], tuple(dict.fromkeys([still.run, *named]))
+    if scales := [one for one in far_scales(observed, found) if one.of_scale]:
+        runs = (run for one in scales for run in one.runs)
+        reasons, named = [*reasons, as_scale(scales)], tuple(dict.fromkeys([*named, *runs]))
     for resting in resting_on_length(observed, found):
         if resting.far:
             reasons, named = [*reasons, str(resting)], tuple(dict.fromkeys([*named, *resting.runs]))

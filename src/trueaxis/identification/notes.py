@@ -15,6 +15,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.believable_setup import SET_UP
+from trueaxis.identification.far_scales import as_beam, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
@@ -180,6 +181,7 @@ def _of_instruments(observed: Observations, found: Estimate) -> Iterator[str]:
     """What the estimate attributes to them, or cannot tell from them, and where they were set to zero."""
     yield from homes_notes(found.layout.model, observed)
     yield from (str(one) for one in far_zeros(observed, found) if not one.of_bars)
+    yield from (as_beam(one) for one in far_scales(observed, found) if not one.of_scale)
     yield from (str(one) for one in resting_on_length(observed, found) if not one.far)
 
 
