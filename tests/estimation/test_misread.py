@@ -14,12 +14,13 @@ from trueaxis.estimation import swapped as swapped_module
 from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.evidence import evidence_at
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.misread import Fault, fault_ratios, undone_reading
+from trueaxis.estimation.misread import Fault, fault_ratios
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.state import linearised
 from trueaxis.estimation.swapped import swap_ratios
+from trueaxis.estimation.undone import undone_reading
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Device
@@ -91,6 +92,13 @@ def test_all_runs_of_an_instrument_are_named_together(readings: Observations) ->
     assert "both runs of ballbar read as if the values were 1000 times too small" in found.report.quality.reason
 
 
+def test_the_unit_of_an_instrument_is_the_one_that_makes_it_agree(readings: Observations) -> None:
+    """An instrument in inches was said to be in metres: as far as noise goes any unit is as likely."""
+    small = scaled(scaled(readings, "xy", 1.0 / 25.4), "xz", 1.0 / 25.4)
+    found = identify_estimated(model_with(), small, IdentifyOptions(known=KNOWN))
+    assert found.report.quality.reason.startswith("both runs of ballbar read as if inches were written for mm")
+
+
 def test_of_three_instruments_the_one_that_the_others_contradict_is_named(readings: Observations) -> None:
     """Lines of X by a laser, of Y and Z by another, a ball bar."""
     other = Device(id="other")
@@ -154,7 +162,7 @@ def test_repeats_of_a_run_are_never_swapped(readings: Observations) -> None:
 @pytest.mark.parametrize(
     ("run", "factor", "how"),
     # a run that reads 1000 times too large is refused before, by the sizes of [prior] (test_believable_setup.py)
-    [("circle", -1.0, "reversed"), ("circle", 1e-3, "small"), ("Y-5", 1e-3, "small")],
+    [("circle", -1.0, "reversed"), ("circle", 1e-3, "small"), ("Y-5", 1e-3, "small"), ("Y-5", 1.0 / 25.4, "inch")],
 )
 def test_a_sign_or_unit_is_named_of_any_instrument(readings: Observations, run: str, factor: float, how: str) -> None:
     """Ball bars were not looked at, nor units: the estimate took the run for slow noise and ended with exit 0."""

@@ -18,10 +18,10 @@ from tests.worlds.estimates import World, world
 from tests.worlds.machine import Array
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine
-from trueaxis.estimation.misread import How, undone_reading
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.set_up import is_straightness
+from trueaxis.estimation.undone import How, undone_reading
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError

@@ -7,10 +7,9 @@ every fault that is likelier is undone on trial, noise and sizes are estimated a
 both are compared: the data are the same but for a factor or an order.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Literal
 
 import numpy as np
 
@@ -18,20 +17,13 @@ from trueaxis.estimation.changed import ChangesOfRun, changes_of_run, log_ratio
 from trueaxis.estimation.display import DECIMALS, ROUNDING
 from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
-from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.state import State
 from trueaxis.estimation.swapped import swap_ratios
-from trueaxis.measurement.machine import FloatArray
+from trueaxis.estimation.undone import OF_ANGLES, OF_INSTRUMENTS, UNDONE, UNITS, How, undone_reading
 
-How = Literal["reversed", "small", "large", "mirrored", "swapped", "turned"]
-
-# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
-# each other's readings.
-UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
-OF_INSTRUMENTS: tuple[How, ...] = ("reversed", "small", "large")  # that all runs of one may have together
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
 SURE = float(2.0 * np.log(1e3))
@@ -48,9 +40,6 @@ TRIED = 1.0
 MOST_TRIALS = 4
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
-FEWEST_TARGETS = 3
-TARGETS = 6  # decimals of mm or deg, within which targets are the same
-
 Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 
 
@@ -111,7 +100,7 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
         likeliest = sorted((key for key in odds if odds[key] > TRIED), key=lambda key: -odds[key])
         gains: dict[Fault, float] = {}
         following = fitted
-        for fault in likeliest[:MOST_TRIALS]:
+        for fault in _with_other_units(likeliest[:MOST_TRIALS], odds):
             runs = _with_undone(state.runs, fault)
             if runs is not None:
                 trial = continued(runs)
@@ -142,6 +131,14 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
         posterior = fitted.posterior()
 
 
+def _with_other_units(faults: Sequence[Fault], among: Collection[Fault]) -> list[Fault]:
+    """Those, and of an instrument whose unit may be wrong all others that it may be: noise is no measure of them, which
+    is estimated anew with each.
+    """
+    units = {one.places for one in faults if one.of_instrument and one.how in UNITS}
+    return [*faults, *(one for one in among if one.places in units and one.how in UNITS and one not in faults)]
+
+
 def _ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
     """Of every fault, by the noise and sizes of the state.
 
@@ -170,7 +167,7 @@ def fault_ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
         each = {how: reading - one.reading for how in hows if (reading := undone_reading(one, how)) is not None}
         columns[place] = list(each)
         changed[place] = changes_of_run(fitted, posterior, place, list(each.values()))
-    faults = [Fault((place,), how) for place, hows in columns.items() for how in hows]
+    faults = [Fault((place,), how) for place, hows in columns.items() for how in hows if how not in OF_ANGLES]
     found = {}
     for fault in [*faults, *_of_instruments(state, columns)]:
         parts = [(changed[place], columns[place].index(fault.how)) for place in fault.places]
@@ -215,33 +212,6 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
             if max(undone.log_p, now.log_p) < -SURE:
                 found.append(contradiction((one.rows.index,), now, now, without, expected))
     return found
-
-
-def undone_reading(one: MeasuredRun, how: How) -> FloatArray | None:
-    """(n,): the readings of a run with a fault undone, mm; None where it cannot have the fault."""
-    if np.ptp(one.reading) <= 10.0**-DECIMALS:
-        return None  # a display that never moved
-    if how != "mirrored":
-        return UNDONE[how] * one.reading
-    partner = _mirrored(one)
-    return None if partner is None else one.reading[partner]
-
-
-def _mirrored(one: MeasuredRun) -> IntArray | None:
-    """(n,): the row of each row's target counted from the other end, of the same pass; None where there is none."""
-    positions = np.round(one.rows.positions, TARGETS) + 0.0
-    moving = np.ptp(positions, axis=1)
-    if one.instrument == "ballbar" or not moving.any():
-        return None
-    _, target = np.unique(positions[int(np.argmax(moving))], return_inverse=True)
-    count = np.bincount(target)
-    if count.size < FEWEST_TARGETS or (count != count[::-1]).any():
-        return None
-    order = np.argsort(target, kind="stable")
-    start = np.cumsum(count) - count
-    turn = np.empty_like(target)
-    turn[order] = np.arange(target.size) - np.repeat(start, count)  # number of the visit of its target
-    return np.asarray(order[start[count.size - 1 - target] + turn])
 
 
 def _of_factor(state: State, fault: Fault) -> float:

@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.estimation.misread import LEAST_NOISE, SURE, How, Misread
+from trueaxis.estimation.misread import LEAST_NOISE, SURE, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
+from trueaxis.estimation.undone import How
 from trueaxis.identification.far_scales import as_scale, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
@@ -22,6 +23,9 @@ READS: Mapping[How, str] = {
     "reversed": "as if the sign were reversed (reading, direction in setup.toml, or sense of an axis)",
     "small": "as if the values were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
     "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
+    "inch": "as if inches were written for mm",
+    "arcsec": "as if arcseconds were written for microradians",
+    "urad": "as if microradians were written for arcseconds",
     "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
     "swapped": "as if the readings were those of another run",
 }
@@ -85,7 +89,7 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
             reasons, named = [*reasons, str(one)], tuple(dict.fromkeys([*named, *one.of_run]))
     for still in stuck_runs(observed, found):
         reasons, named = [str(still), *reasons], tuple(dict.fromkeys([still.run, *named]))
-    if scales := [one for one in far_scales(observed, found) if one.of_scale]:
+    if not ids and (scales := [one for one in far_scales(observed, found) if one.of_scale]):
         runs = (run for one in scales for run in one.runs)
         reasons, named = [*reasons, as_scale(scales)], tuple(dict.fromkeys([*named, *runs]))
     for resting in resting_on_length(observed, found):
