@@ -174,12 +174,12 @@ def run(args: argparse.Namespace) -> int:
         print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}\ntrueaxis: {WAY_ON}", file=sys.stderr)
         return 1
     except UnbelievableError as failure:
-        for fault in failure.faults:
-            print(f"trueaxis: not written: {fault}", file=sys.stderr)
         worst = failure.report.quality
-        misfit = worst.fit.state == "misfit"
+        misfit = worst.fit.state == "misfit"  # the cause comes first: values are beyond belief because of it
         text = fit_text(worst) if misfit else f"residuals of the worst runs: {runs_text(worst.runs)}"
         print(f"trueaxis: {text}", file=sys.stderr)
+        for fault in failure.faults:
+            print(f"trueaxis: not written: {fault}", file=sys.stderr)
         return 1
     contents = errors_files(args.out, identified.errors, machine, args.covariance)
     if args.report is not None:

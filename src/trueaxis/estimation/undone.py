@@ -30,6 +30,7 @@ OF_LENGTHS: tuple[How, ...] = ("inch",)
 OF_ANGLES: tuple[How, ...] = ("arcsec", "urad")
 UNITS: tuple[How, ...] = ("small", "large", *OF_LENGTHS, *OF_ANGLES)
 OF_INSTRUMENTS: tuple[How, ...] = ("reversed", *UNITS)  # that all runs of one may have together
+NEARLY = 0.1  # logarithm: noise is known to so much from a hundred readings, and stated to no more
 FEWEST_TARGETS = 3
 TARGETS = 6  # decimals of mm or deg, within which targets are the same
 
@@ -44,6 +45,15 @@ def undone_reading(one: MeasuredRun, how: How) -> FloatArray | None:
         return UNDONE[how] * one.reading
     partner = _mirrored(one)
     return None if partner is None else one.reading[partner]
+
+
+def unit_of(ratio: float, instrument: str) -> How | None:
+    """The wrong unit by which readings have so many times the noise that they should have; None where it is none."""
+    for how in UNITS:
+        other = how in (OF_LENGTHS if instrument == ANGLE else OF_ANGLES)
+        if not other and abs(np.log(ratio * UNDONE[how])) < NEARLY:
+            return how
+    return None
 
 
 def _mirrored(one: MeasuredRun) -> IntArray | None:

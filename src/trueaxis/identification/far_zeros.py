@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
-from trueaxis.identification.words import in_small
+from trueaxis.identification.words import in_digits, in_small
 
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 MOST_RUNS = 5  # named
@@ -33,11 +33,11 @@ class FarZeros:
 
     def __str__(self) -> str:
         factor, unit = in_small(CLASSES[self.kind].unit)
-        named = [f"{run} by {value * factor:.3g} {unit}" for run, value in [*self.of_run.items()][:MOST_RUNS]]
+        named = [f"{run} by {in_digits(value * factor, 3)} {unit}" for run, value in [*self.of_run.items()][:MOST_RUNS]]
         if len(self.of_run) > MOST_RUNS:
             named[-1] += f" and {len(self.of_run) - MOST_RUNS} more"
         of = f"{len(self.of_run)} of {self.among} runs"
-        said = f"the {self.kind} of {of} is larger than {self.usual * factor:.3g} {unit}"
+        said = f"the {self.kind} of {of} is larger than {in_digits(self.usual * factor, 3)} {unit}"
         why = (
             "no bar does that beside its other runs. Is their bar another one, do their balls stand where setup.toml "
             "says, are the dimensions in the spec right, is what other instruments say of the machine, by the length "

@@ -14,7 +14,8 @@ from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, units
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import noise_groups
-from trueaxis.identification.words import enumerated
+from trueaxis.estimation.undone import unit_of
+from trueaxis.identification.words import READS, enumerated
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import SmallUnit, small_unit
 from trueaxis.measurement.machine import FloatArray
@@ -283,9 +284,10 @@ def noise_remedies(
             continue
         unit, small = small_unit(observed.runs[runs[0]].instrument), 1e3 * float(np.median([stated[k] for k in runs]))
         times = f"{middle:.2g} times" if middle > 1.0 else f"1/{1.0 / middle:.2g} of"
+        how = unit_of(middle, observed.runs[runs[0]].instrument)
         found[
             f"the residuals of {group} are {times} the noise that "
             f"{(DEVICE if by_device else OPTION).format(unit=unit)} ({small:.3g} {unit}): leave it out and the noise "
-            f"is estimated, or state about {small * middle:.2g} {unit}"
+            f"is estimated, or state about {small * middle:.2g} {unit}{f'; they are {READS[how]}' if how else ''}"
         ] = middle
     return found

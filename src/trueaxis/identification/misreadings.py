@@ -11,24 +11,13 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.tails import LEAST_P
 from trueaxis.estimation.tool_point import ORIGIN, moved_without
-from trueaxis.estimation.undone import How
 from trueaxis.identification.far_scales import as_scale, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.stuck import stuck_runs
 from trueaxis.identification.tip_lengths import resting_on_length
-from trueaxis.identification.words import enumerated
+from trueaxis.identification.words import READS, enumerated, in_digits
 
-READS: Mapping[How, str] = {
-    "reversed": "as if the sign were reversed (reading, direction in setup.toml, or sense of an axis)",
-    "small": "as if the values were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
-    "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
-    "inch": "as if inches were written for mm",
-    "arcsec": "as if arcseconds were written for microradians",
-    "urad": "as if microradians were written for arcseconds",
-    "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
-    "swapped": "as if the readings were those of another run",
-}
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
 # default sizes are better than machines are, and a factor of 1000 in the unit is far beyond.
 LEAST_MACHINE = 1.0 / 30.0
@@ -63,10 +52,11 @@ class Contradicting:
         return (
             f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: noise alone takes all "
             "readings of a sound run as far from what the others predict with a probability of "
-            f"{_probability(self.log_p)} (together; the farthest combination of them is {self.times:.2g} standard "
-            f"deviations off); without {them} the tool point moves by {self.moved * 1e3:.2g} um (RMS over the volume), "
-            f"and its u is {self.u * 1e3:.2g} um then (does the model lack an effect, such as lost motion? Are runs "
-            "swapped, is a target, reference, home or ball not where setup.toml says? diagnose tells more)"
+            f"{_probability(self.log_p)} (together; the farthest combination of them is {in_digits(self.times)} "
+            f"standard deviations off); without {them} the tool point moves by {in_digits(self.moved * 1e3)} um (RMS "
+            f"over the volume), and its u is {in_digits(self.u * 1e3)} um then (does the model lack an effect, such as "
+            "lost motion? Was the machine warmer, or a compensation active, in some runs only? Are runs swapped, is a "
+            "target, reference, home, ball or the length of a tool not as setup.toml says? diagnose tells more)"
         )
 
 
@@ -111,10 +101,11 @@ def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tu
             f"{named}: the readings are not what the other runs let expect. Without a prior the others hold errors "
             "that they do not determine at zero, so that this is no proof of a wrong run: --prior spec judges it",
         )
-    likelier = "that makes the readings {:.2g} times as likely, which is not enough to be sure"
+    likelier = "that makes the readings {} times as likely, which is not enough to be sure"
     unsure = {index: one for index, one in found.readings.misread.items() if not one.sure}
     return little + tuple(
-        f"{text}: {likelier.format(np.exp(one.log_odds))}" for text, one in _each(observed, unsure, "may read")
+        f"{text}: {likelier.format(in_digits(float(np.exp(one.log_odds))))}"
+        for text, one in _each(observed, unsure, "may read")
     )
 
 

@@ -118,7 +118,7 @@ def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple
 def estimate_notes(
     model: MachineModel, observed: Observations, found: Estimate, given: ErrorValues, *, prior: bool
 ) -> tuple[str, ...]:
-    """On an estimate: what was taken as known, and where readings and expectations are far apart."""
+    """On an estimate: what is wrong with single runs, what was taken as known, where expectations are far off."""
     notes = []
     fixed = [name for name in model.location_errors if name in given.parameters]
     if fixed:
@@ -169,11 +169,11 @@ def estimate_notes(
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
     return (
+        *misread_notes(observed, found, prior=prior),
+        *_of_instruments(observed, found),
         *notes,
         *(_rough(found) if prior else ()),
         *_alignment(observed, found),
-        *misread_notes(observed, found, prior=prior),
-        *_of_instruments(observed, found),
     )
 
 

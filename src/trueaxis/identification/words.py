@@ -1,12 +1,13 @@
 """What data leave open, in words."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
+from trueaxis.estimation.undone import How
 from trueaxis.io.safe_text import plain_zero
 from trueaxis.machine.machine import ROTARY
 from trueaxis.measurement.machine import FloatArray
@@ -23,6 +24,16 @@ RULE = (
 )
 LEVEL = "least-squares lines of the straightness are level (ISO 230-1)"
 IN_COMBINATION = "known only in combination (before the convention separates straightness and squareness)"
+READS: Mapping[How, str] = {
+    "reversed": "as if the sign were reversed (reading, direction in setup.toml, or sense of an axis)",
+    "small": "as if the values were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
+    "large": "as if the values were 1000 times too large (um written for mm? mrad for rad?)",
+    "inch": "as if inches were written for mm",
+    "arcsec": "as if arcseconds were written for microradians",
+    "urad": "as if microradians were written for arcseconds",
+    "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
+    "swapped": "as if the readings were those of another run",
+}
 NOTHING = 1e-6  # of the other part of u: rounding
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
@@ -117,6 +128,12 @@ def in_small(unit: str) -> tuple[float, str]:
         if unit.split("/", maxsplit=1)[0] == plain:
             return by, small_unit + unit.removeprefix(plain)
     return 1.0, unit
+
+
+def in_digits(value: float, digits: int = 2) -> str:
+    """`0.012`, `130`, `480 000`: so many digits, no powers of ten."""
+    shown = np.format_float_positional(float(f"{value:.{digits}g}"), trim="-")
+    return f"{float(shown):,.0f}".replace(",", " ") if abs(value) >= 1e4 else shown
 
 
 def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> float | None:

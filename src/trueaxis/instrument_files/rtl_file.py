@@ -11,7 +11,7 @@ run and target.
     Run-count: 4
 
 The layout is that of files and of programs that read and write them (docs/import.md); other sections and keys are
-passed over. Texts are in UTF-8, else in GBK.
+passed over. Texts are in UTF-8, else in GB 2312.
 """
 
 import re

@@ -1,8 +1,9 @@
 """Reading an input file whose absence or encoding is the user's fault, not the program's."""
 
 import logging
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from trueaxis.io.faults import Fault, Faults, InputError
@@ -55,10 +56,11 @@ def utf8_text(path: Path, data: bytes) -> str:
 
 
 def decoded(data: bytes) -> str:
-    """The text: UTF-8, else GBK (machines and operators are named in Chinese), else as bytes."""
-    for encoding in ("utf-8-sig", "gbk"):
-        try:
+    """The text: UTF-16 with its mark, UTF-8, else GB 2312 (machines and operators are named in Chinese), else as bytes.
+
+    Not GBK, which has a character for the sign of micro before a letter as a German or French file has it.
+    """
+    for encoding in ("utf-16",) if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else ("utf-8-sig", "gb2312"):
+        with suppress(UnicodeDecodeError):
             return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
     return data.decode("latin-1")

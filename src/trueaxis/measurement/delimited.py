@@ -69,6 +69,8 @@ def read_delimited(path: Path) -> DelimitedText:
             break
     else:
         problem = "is of no known format: neither .rtl nor a positioning test nor columns of numbers under names"
+        if not lines:
+            problem = "is empty"
         faults.add("", problem, "a line of names over lines of numbers, separated by ; or tabs or , or | or spaces")
     if faults.found or table is None:
         raise InputError(faults.found)
