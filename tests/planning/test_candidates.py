@@ -11,8 +11,7 @@ from tests.planning.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness, relative_motion
-from trueaxis.identification.believable_setup import wrong_tip
-from trueaxis.identification.notes import tip_notes
+from trueaxis.identification.tips import tip_notes, wrong_tip
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.measurement.reading_model import expected_reading

@@ -14,10 +14,10 @@ import numpy as np
 
 from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.fit_quality import expected_size
-from trueaxis.identification.slips import Slip, Wrong, faults_of
+from trueaxis.identification.slips import SENSE, Slip, Wrong, faults_of, other_sense, other_way
+from trueaxis.identification.tips import OFF_SPHERE, wrong_tip
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault
-from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import MeasuredData, readings_path
 from trueaxis.measurement.instrument_kinds import ARM, unit_of_file
 from trueaxis.measurement.machine import FloatArray
@@ -32,13 +32,11 @@ BELIEVED = 5.0  # times the prior standard deviation of a reading
 # mm, what instruments may be off by: a ball or sphere is set up within a millimetre, with a ruler within five; the
 # range of straightness optics; a laser's dead path and the growth of a cold machine, which a sensor at rest is to show;
 # half of the range of an electronic autocollimator, 1 mrad (mm at ARM)
-SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5, "displacement": 0.5, "angle": 1.0}
+SET_UP = {"ballbar": 5.0, "probe": OFF_SPHERE, "straightness": 2.5, "laser": 0.5, "displacement": 0.5, "angle": 1.0}
 BY_EYE = 5e-4  # rad, one standard deviation: what a line of straightness is off by that nobody has aligned with care
 MOST_ROWS = 5  # named of a run
 IN_UNIT = "is the reading in {unit}? [prior] of the machine's spec says what errors may be expected"
 MOST_FITTED = 500  # positions that a cause is sought from
-SENSE = "sense of axis {axis} in the spec"
-SMALLEST_OFF = 0.001  # mm, to which it is said how far a tip stays where it was
 OFF = 5.0  # mm, what is left of distances where a cause explains them: a ball is set up within five with a ruler
 FARTHEST = 500.0  # mm from what is given, from where a dimension is sought as well
 
@@ -129,17 +127,13 @@ def _ball_causes(
         *_ball(model, run, positions, length),
         *_length(model, run, positions, length),
     ]
-    slips = [_other_sense(axis, file) for axis in turned]
+    slips = [other_sense(axis, file) for axis in turned]
     slips += [_other_dimension(model, name, value, file) for name, values in wrong.items() for value in values]
     hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
     if not causes:
         return f"points, positions and length that agree{hint}", ()
     first = "" if len(causes) == 1 else "one of these, likeliest first: "
     return f"{first}{'; '.join(causes)}{hint}", tuple(slips)
-
-
-def _other_sense(axis: str, file: str) -> Slip:
-    return Slip(f"{axis} moved the other way", file, SENSE.format(axis=axis))
 
 
 def _other_dimension(model: MachineModel, name: str, value: float, file: str) -> Slip:
@@ -150,61 +144,9 @@ def _other_dimension(model: MachineModel, name: str, value: float, file: str) ->
 
 def _senses(model: MachineModel, run: Run, positions: FloatArray, length: FloatArray) -> Iterator[str]:
     for row, axis in enumerate(model.axes):
-        off = np.abs(np.linalg.norm(ideal_bar(model, run, _other_way(positions, row)), axis=0) - length)
+        off = np.abs(np.linalg.norm(ideal_bar(model, run, other_way(positions, row)), axis=0) - length)
         if positions[row].any() and float(off.max()) <= OFF:
             yield axis
-
-
-def _other_way(positions: FloatArray, row: int) -> FloatArray:
-    """(n_axes, n): as if one axis moved the other way."""
-    found = positions.copy()
-    found[row] *= -1.0
-    return found
-
-
-def wrong_tip(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> Wrong | None:
-    """A run of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other
-    way, or if the rotary axes were written in radians.
-
-    Where neither does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
-    """
-    moving = {axis for axis, at in zip(model.axes, positions, strict=True) if np.ptp(at) > 0.0}
-    way = _of_tip(model, run, positions)
-    if not (moving & set(LINEAR) and moving & set(ROTARY)) or way <= SET_UP["probe"]:
-        return None
-    rotary = [axis for axis in model.axes if axis in ROTARY]
-    turned = np.array([axis in ROTARY for axis in model.axes])
-    in_degrees = np.where(turned[:, np.newaxis], np.rad2deg(positions), positions)
-    if (within := _of_tip(model, run, in_degrees)) <= SET_UP["probe"]:
-        problem = _leaves(way, "these positions were radians", within)
-        columns, file = f"column {enumerated(rotary, 'or')}", str(readings_path(folder))
-        radians = Slip(f"their positions of {enumerated(rotary)} were radians", file, f"degrees in {columns}")
-        return Wrong(run.id, Fault(file, columns, f"run {run.id}: {problem}", "degrees"), (radians,))
-    left = {}
-    for row, axis in enumerate(model.axes):
-        if axis in moving:
-            home = {**run.home, axis: -run.home[axis]} if axis in run.home else run.home
-            left[axis] = _of_tip(model, replace(run, home=home), _other_way(positions, row))
-    others = [axis for axis, off in left.items() if off <= SET_UP["probe"]]
-    if not others:
-        return None
-    file, within = str(folder / FILE_NAME), max(left[axis] for axis in others)
-    named = enumerated(others, "or")
-    problem = _leaves(way, f"{named} moved the other way", within)
-    fault = Fault(file, f"run {run.id}", problem, SENSE.format(axis=named))
-    return Wrong(run.id, fault, tuple(_other_sense(axis, file) for axis in others))
-
-
-def _leaves(way: float, supposed: str, within: float) -> str:
-    return (
-        f"the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if {supposed}, it would stay there "
-        f"within {max(SMALLEST_OFF, within):.2g} mm"
-    )
-
-
-def _of_tip(model: MachineModel, run: Run, positions: FloatArray) -> float:
-    moved = relative_motion(model, run, positions)
-    return float(np.linalg.norm(moved - moved[:, :1], axis=0).max())
 
 
 def _dimensions(

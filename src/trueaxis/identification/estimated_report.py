@@ -12,7 +12,7 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
 from trueaxis.identification.estimated_effects import effect_reports
 from trueaxis.identification.fit_quality import FitQuality
-from trueaxis.identification.notes import dimension_notes, estimate_notes, tip_notes
+from trueaxis.identification.notes import dimension_notes, estimate_notes
 from trueaxis.identification.report import (
     ComponentReport,
     IdentificationReport,
@@ -21,6 +21,7 @@ from trueaxis.identification.report import (
     LocationReport,
     NoiseGroupReport,
 )
+from trueaxis.identification.tips import tip_notes
 from trueaxis.identification.words import DETERMINED_BY, enumerated, level_rule
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.instrument_kinds import small_unit

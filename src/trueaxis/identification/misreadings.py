@@ -16,6 +16,7 @@ from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.stuck import stuck_runs
 from trueaxis.identification.tip_lengths import resting_on_length
+from trueaxis.identification.tips import tip_notes
 from trueaxis.identification.words import READS, enumerated, in_digits
 
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the
@@ -88,6 +89,7 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     reason = "; ".join(filter(None, reasons))
     if not reason:
         return judged
+    reason = "; ".join([*tip_notes(found.layout.model, observed), reason])  # which may be why
     return replace(judged, fit=replace(judged.fit, state="misfit", runs=named), reason=reason, misread=ids)
 
 

@@ -13,15 +13,13 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.orders import HIGHEST_DEGREE, told_to_their_end
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import noise_groups
-from trueaxis.estimation.set_up import is_straightness, relative_motion
-from trueaxis.identification.believable_setup import SET_UP
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identification.far_scales import as_beam, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
 from trueaxis.identification.tip_lengths import resting_on_length
 from trueaxis.identification.words import enumerated
-from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.setup import Setup
@@ -45,26 +43,6 @@ def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str
     return (
         f"dimensions {enumerated(silent)} are not given (--known) and taken as zero: what follows is of a machine "
         "with its axes and points there",
-    )
-
-
-def tip_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
-    """Runs of a probe in which the tip does not stay where it was while linear axes follow a rotary one."""
-    away: dict[str, float] = {}
-    for index, run in enumerate(observed.runs):
-        positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
-        moving = {axis for axis, at in zip(model.axes, positions, strict=True) if at.size and np.ptp(at) > 0.0}
-        if run.instrument == "probe" and moving & set(LINEAR) and moving & set(ROTARY):
-            moved = relative_motion(model, run, positions)
-            away[run.id] = float(np.linalg.norm(moved - moved[:, :1], axis=0).max())
-    far = {run: way for run, way in away.items() if way > SET_UP["probe"]}
-    if not far:
-        return ()
-    rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
-    return (
-        f"{', '.join([*far][:MOST_RUNS])}{rest}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
-        "rotary axes turn. If these are of a sphere, a dimension (--known), the sense of an axis or a point in "
-        "setup.toml is wrong, and the values are, too",
     )
 
 

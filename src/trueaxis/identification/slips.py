@@ -8,6 +8,9 @@ from dataclasses import dataclass, replace
 
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault
+from trueaxis.measurement.machine import FloatArray
+
+SENSE = "sense of axis {axis} in the spec"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,3 +66,15 @@ def _together(wrong: Sequence[Wrong]) -> Fault:
     if not others:
         return first.fault
     return replace(first.fault, problem=f"{first.fault.problem}; likewise {enumerated([one.run for one in others])}")
+
+
+def other_sense(axis: str, file: str) -> Slip:
+    """That an axis is written the wrong way round."""
+    return Slip(f"{axis} moved the other way", file, SENSE.format(axis=axis))
+
+
+def other_way(positions: FloatArray, row: int) -> FloatArray:
+    """(n_axes, n): as if one axis moved the other way."""
+    found = positions.copy()
+    found[row] *= -1.0
+    return found

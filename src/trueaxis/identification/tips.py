@@ -1,0 +1,89 @@
+"""Whether the tip of a probe stays at its sphere while linear axes follow a rotary one."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up import relative_motion
+from trueaxis.identification.slips import SENSE, Slip, Wrong, other_sense, other_way
+from trueaxis.identification.words import enumerated
+from trueaxis.io.faults import Fault
+from trueaxis.machine.machine import LINEAR, ROTARY
+from trueaxis.measurement.data import readings_path
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import FILE_NAME, Run
+from trueaxis.model.model import MachineModel
+
+OFF_SPHERE = 5.0  # mm: a sphere is set up within five with a ruler
+SMALLEST_OFF = 0.001  # mm, to which it is said how far a tip stays where it was
+MOST_RUNS = 5  # named
+
+
+def wrong_tip(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> Wrong | None:
+    """A run of a probe whose tip stays where it was, while linear axes follow a rotary one, if one axis moves the other
+    way, or if the rotary axes were written in radians.
+
+    Where neither does that, it may be of no sphere at all: `tip_notes` then says how far it goes.
+    """
+    way = _of_tip(model, run, positions)
+    if not _follows(model, positions) or way <= OFF_SPHERE:
+        return None
+    rotary = [axis for axis in model.axes if axis in ROTARY]
+    turned = np.array([axis in ROTARY for axis in model.axes])
+    in_degrees = np.where(turned[:, np.newaxis], np.rad2deg(positions), positions)
+    if (within := _of_tip(model, run, in_degrees)) <= OFF_SPHERE:
+        problem = _leaves(way, "these positions were radians", within)
+        columns, file = f"column {enumerated(rotary, 'or')}", str(readings_path(folder))
+        radians = Slip(f"their positions of {enumerated(rotary)} were radians", file, f"degrees in {columns}")
+        return Wrong(run.id, Fault(file, columns, f"run {run.id}: {problem}", "degrees"), (radians,))
+    left = {}
+    for row, axis in enumerate(model.axes):
+        if np.ptp(positions[row]) > 0.0:
+            home = {**run.home, axis: -run.home[axis]} if axis in run.home else run.home
+            left[axis] = _of_tip(model, replace(run, home=home), other_way(positions, row))
+    others = [axis for axis, off in left.items() if off <= OFF_SPHERE]
+    if not others:
+        return None
+    file, within = str(folder / FILE_NAME), max(left[axis] for axis in others)
+    named = enumerated(others, "or")
+    problem = _leaves(way, f"{named} moved the other way", within)
+    fault = Fault(file, f"run {run.id}", problem, SENSE.format(axis=named))
+    return Wrong(run.id, fault, tuple(other_sense(axis, file) for axis in others))
+
+
+def _leaves(way: float, supposed: str, within: float) -> str:
+    return (
+        f"the tip leaves its place by up to {way:.4g} mm while rotary axes turn; if {supposed}, it would stay there "
+        f"within {max(SMALLEST_OFF, within):.2g} mm"
+    )
+
+
+def _of_tip(model: MachineModel, run: Run, positions: FloatArray) -> float:
+    moved = relative_motion(model, run, positions)
+    return float(np.linalg.norm(moved - moved[:, :1], axis=0).max())
+
+
+def tip_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
+    """Runs of a probe in which the tip does not stay where it was while linear axes follow a rotary one."""
+    far: dict[str, float] = {}
+    for index, run in enumerate(observed.runs):
+        positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
+        if run.instrument == "probe" and _follows(model, positions):
+            way = _of_tip(model, run, positions)
+            far |= {run.id: way} if way > OFF_SPHERE else {}
+    if not far:
+        return ()
+    rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
+    return (
+        f"{', '.join([*far][:MOST_RUNS])}{rest}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
+        "rotary axes turn. If these are of a sphere, a dimension (--known), the sense of an axis, positions or a point "
+        "in setup.toml is wrong, and the values are, too",
+    )
+
+
+def _follows(model: MachineModel, positions: FloatArray) -> bool:
+    """Whether linear axes move while rotary ones do."""
+    moving = {axis for axis, at in zip(model.axes, positions, strict=True) if at.size and np.ptp(at) > 0.0}
+    return bool(moving & set(LINEAR) and moving & set(ROTARY))
