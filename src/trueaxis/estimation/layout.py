@@ -20,6 +20,7 @@ from trueaxis.model.effect_values import in_order
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
+TOOL_LENGTH = "EZ0T"  # location error by which a spec has the length of the tool, and of a probe, as its own unknown
 EFFECT = "effect"  # class of all unknowns of effects: their size is not estimated, 1 mm of a reading is any size at all
 
 
@@ -132,7 +133,8 @@ def layout_of(
     shared = [
         one
         for one in shared_unknowns(observed.runs, taken_runs(observed.run, time), straightness)
-        if one.kind not in STYLUSES or any(_turned(model, observed, index) for index in one.runs)
+        if one.kind not in STYLUSES
+        or (TOOL_LENGTH not in locations and any(_turned(model, observed, index) for index in one.runs))
     ]
     others = other_degrees or {}
     harmonics = {axis: harmonics_of(axis, model.travel[axis]) for axis in model.axes}

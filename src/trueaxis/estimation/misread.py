@@ -22,11 +22,15 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.state import State
 from trueaxis.estimation.swapped import swap_ratios
-from trueaxis.estimation.undone import OF_ANGLES, OF_INSTRUMENTS, UNDONE, UNITS, How, undone_reading
+from trueaxis.estimation.undone import OF_INSTRUMENTS, ONLY_TOGETHER, UNDONE, UNITS, How, undone_reading
 
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
 SURE = float(2.0 * np.log(1e3))
+# By how much more an instrument in inches or arcseconds has to be likelier: errors may well be five or twenty times
+# smaller than [prior] has them. On sound lines of three axes with angle runs inches were likelier by 15; where they
+# were inches, by 1372, arcseconds by 252.
+BY_SIZE = 2.0 * SURE
 # From where on it is said, with its odds, and decides nothing: one of a thousand runs is misread, and that is a guess.
 SUSPICIOUS = float(np.log(1e3))
 # Logarithm of the ratio from which on a fault is undone on trial, by the noise and sizes as they are; and from which on
@@ -167,7 +171,7 @@ def fault_ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
         each = {how: reading - one.reading for how in hows if (reading := undone_reading(one, how)) is not None}
         columns[place] = list(each)
         changed[place] = changes_of_run(fitted, posterior, place, list(each.values()))
-    faults = [Fault((place,), how) for place, hows in columns.items() for how in hows if how not in OF_ANGLES]
+    faults = [Fault((place,), how) for place, hows in columns.items() for how in hows if how not in ONLY_TOGETHER]
     found = {}
     for fault in [*faults, *_of_instruments(state, columns)]:
         parts = [(changed[place], columns[place].index(fault.how)) for place in fault.places]
@@ -248,7 +252,7 @@ def _gain(one: Fitted, other: Fitted, fault: Fault) -> float:
     if fault.how != "swapped":
         before, after = counting_in_both(one.state, other.state)
         value += _of_factor(replace(before, noise=after.noise, scales=after.scales), fault)
-    return value - fault.price
+    return value - fault.price - (BY_SIZE if fault.how in ONLY_TOGETHER else 0.0)
 
 
 def mean_square(state: State) -> float:

@@ -25,10 +25,12 @@ UNDONE: Mapping[How, float] = {
     "urad": 1.0 / ARCSEC,
     "mirrored": 1.0,
 }
+# of all runs of an instrument alone: one that is five or twenty times as quiet as the others, or they as noisy, proves
+# no other unit
 OF_LENGTHS: tuple[How, ...] = ("inch",)
-# of all runs of an instrument alone: one that is five times as quiet as others may be of a better instrument
 OF_ANGLES: tuple[How, ...] = ("arcsec", "urad")
-UNITS: tuple[How, ...] = ("small", "large", *OF_LENGTHS, *OF_ANGLES)
+ONLY_TOGETHER = (*OF_LENGTHS, *OF_ANGLES)
+UNITS: tuple[How, ...] = ("small", "large", *ONLY_TOGETHER)
 OF_INSTRUMENTS: tuple[How, ...] = ("reversed", *UNITS)  # that all runs of one may have together
 NEARLY = 0.1  # logarithm: noise is known to so much from a hundred readings, and stated to no more
 FEWEST_TARGETS = 3

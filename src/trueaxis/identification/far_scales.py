@@ -12,7 +12,7 @@ from trueaxis.identification.words import enumerated
 # of the length that is read, by which no beam makes it short: at 3.2 mrad it has left its detector within some metres
 FAR_SCALE = 5e-6
 SURE = 3.0  # standard uncertainties
-OF_LENGTH = ("laser scale", "stated scale", "laser cosine")  # classes of which a value is a share of the length
+SCALES = ("laser scale", "stated scale")
 PER_KELVIN = 11.5e-6  # 1/K: a scale of steel or glass ceramic is between nothing and this
 
 
@@ -61,9 +61,14 @@ def as_beam(far: FarScale) -> str:
 def far_scales(observed: Observations, found: Estimate) -> tuple[FarScale, ...]:
     """Of each device and session, those that read long and those that read short."""
     groups: dict[tuple[str, str, str, bool], list[tuple[str, float]]] = {}
-    values, spread = (part[found.layout.of_shared] for part in (found.unknowns, found.spread))
+    values, spread = (part[found.layout.of_shared].copy() for part in (found.unknowns, found.spread))
+    # what all scales have in common may be the machine's: axes that are all too long are warm
+    scales = np.array([one.kind in SCALES for one in found.layout.shared], dtype=bool)
+    values[scales] -= values[scales].mean() if scales.any() else 0.0
+    spread[scales] -= spread[scales].mean(axis=0) if scales.any() else 0.0
     for one, value, row in zip(found.layout.shared, values.tolist(), spread, strict=True):
-        if one.kind in OF_LENGTH and abs(value) > max(FAR_SCALE, SURE * float(np.linalg.norm(row))):
+        of_length = one.kind in SCALES or one.kind == "laser cosine"
+        if of_length and abs(value) > max(FAR_SCALE, SURE * float(np.linalg.norm(row))):
             run = observed.runs[one.runs[0]]
             key = one.kind, run.session, run.device.id if run.device else "", value > 0.0
             groups.setdefault(key, []).extend((observed.runs[index].id, value) for index in one.runs)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.evidence import LIKELIER
 from trueaxis.estimation.instruments import CLASSES, states_line
 from trueaxis.estimation.machine import IdentifiedMachine
@@ -195,6 +196,8 @@ def _rough(found: Estimate) -> Iterator[str]:
     degrees = dict(zip(found.layout.components, (basis.degree for basis in found.layout.bases), strict=True))
     by_degree: dict[int, list[str]] = {}
     for name in told_to_their_end(found.layout, found.spread, found.scale):
+        if degrees[name] == DEGREE:
+            continue  # the estimate would have taken more orders, had readings clearly told them
         by_degree.setdefault(degrees[name], []).append(name)
     for degree, names in by_degree.items():
         yield (

@@ -2,7 +2,7 @@
 
 Every component error is a Legendre curve of degree 12 of its axis, of a higher one where readings show that it is
 rougher, every location error is free, and so is what nobody knows of the set-ups of the instruments. The scale and the
-alignment of a laser are known to parts in a million, and vary by chance within that.
+alignment of a laser are known to parts in a million, the length of a probe to hundredths: they vary by chance in that.
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
@@ -18,7 +18,7 @@ from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
-from trueaxis.estimation.instruments import BALL_OF_RUN, CLASSES, SharedUnknown, own_kinds
+from trueaxis.estimation.instruments import BALL_OF_RUN, CLASSES, STYLUSES, SharedUnknown, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
@@ -181,7 +181,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree
     everything = by_run(beside(map(_few_of_run, parts), of_balls))
     shared = [*layout.shared, *balls]
     chance = np.zeros(layout.of_machine + len(shared), dtype=bool)
-    chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in shared]
+    chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" or unknown.kind in STYLUSES for unknown in shared]
     counts = [basis.count for basis in layout.bases]
     weights = [_weights(basis, name in rough) for name, basis in zip(layout.components, layout.bases, strict=True)]
     expected = np.concatenate([*weights, np.ones(int((~chance).sum()) - sum(counts))])
