@@ -50,3 +50,4 @@ def test_one_short_line_is_a_beam() -> None:
     one = FarScale(runs=("X1",), session="", low=-8e-6, high=-8e-6)
     assert not one.of_scale
     assert as_beam(one).startswith("the line X1 reads 8 ppm too short beside the other readings: its beam was 4 mrad")
+    assert "as no beam out of line does" in as_beam(FarScale(runs=("X1",), session="", low=8e-6, high=8e-6))

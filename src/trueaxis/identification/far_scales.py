@@ -27,8 +27,8 @@ class FarScale:
 
     @property
     def of_scale(self) -> bool:
-        """Whether it is no beam out of line: that makes one line short."""
-        return len(self.runs) > 1 or self.low > 0.0
+        """Whether several lines agree: one alone may be a beam out of line, or what the model lacks along it."""
+        return len(self.runs) > 1
 
     def __str__(self) -> str:
         way = "long" if self.low > 0.0 else "short"
@@ -54,6 +54,8 @@ def as_scale(far: Sequence[FarScale]) -> str:
 
 def as_beam(far: FarScale) -> str:
     """What is wrong where one line is."""
+    if far.low > 0.0:
+        return f"{far} beside the other readings, as no beam out of line does: was the machine warmer then?"
     angle = float(np.sqrt(-2.0 * far.low)) * 1e3
     return f"{far} beside the other readings: its beam was {angle:.2g} mrad out of line, which the values allow for"
 
