@@ -7,10 +7,9 @@ import numpy as np
 from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
-from trueaxis.identification.words import in_digits, in_small
+from trueaxis.identification.words import in_digits, in_small, some_of
 
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
-MOST_RUNS = 5  # named
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,9 +32,7 @@ class FarZeros:
 
     def __str__(self) -> str:
         factor, unit = in_small(CLASSES[self.kind].unit)
-        named = [f"{run} by {in_digits(value * factor, 3)} {unit}" for run, value in [*self.of_run.items()][:MOST_RUNS]]
-        if len(self.of_run) > MOST_RUNS:
-            named[-1] += f" and {len(self.of_run) - MOST_RUNS} more"
+        named = [f"{run} by {in_digits(value * factor, 3)} {unit}" for run, value in self.of_run.items()]
         of = f"{len(self.of_run)} of {self.among} runs"
         said = f"the {self.kind} of {of} is larger than {in_digits(self.usual * factor, 3)} {unit}"
         why = (
@@ -45,7 +42,7 @@ class FarZeros:
             if self.of_bars
             else "the estimate attributes that to the instrument, not to the machine"
         )
-        return f"{said}: {', '.join(named)}; {why}"
+        return f"{said}: {some_of(named)}; {why}"
 
 
 def far_zeros(observed: Observations, found: Estimate) -> list[FarZeros]:

@@ -20,7 +20,7 @@ from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
 from trueaxis.identification.tip_lengths import resting_on_length
-from trueaxis.identification.words import enumerated
+from trueaxis.identification.words import enumerated, some_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.setup import Setup
@@ -31,7 +31,6 @@ SLOW = 3.0  # slow over white noise: instruments drift by about as much as they 
 DRIFT = 3.0  # times the usual drift of a run of the instrument: a smaller slow part is no more than that
 MOST_SLOW = 0.999 * float(np.sqrt(SHARES[-1]))  # of the noise: the largest that is looked for
 MOST_OUTLIERS = 20  # named
-MOST_RUNS = 5  # named
 ON_LINE = 1.0  # mm or deg, within which a laser was set to zero on the line of its run
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
@@ -178,9 +177,8 @@ def homes_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
             away.append(f"{run.id} ({enumerated([axis for axis, far in zip(model.axes, off, strict=True) if far])})")
     if not away:
         return ()
-    rest = f" and {len(away) - MOST_RUNS} more runs" if len(away) > MOST_RUNS else ""
     return (
-        f"{', '.join(away[:MOST_RUNS])}{rest}: on these lines the axes in brackets stand elsewhere than at `home` in "
+        f"{some_of(away)}: on these lines the axes in brackets stand elsewhere than at `home` in "
         "setup.toml (0 where the key is left out). A laser is set to zero on its line; what the machine is off by "
         "between the two counts as error",
     )

@@ -8,7 +8,7 @@ import numpy as np
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import relative_motion
 from trueaxis.identification.slips import SENSE, Slip, Wrong, other_sense, other_way
-from trueaxis.identification.words import enumerated
+from trueaxis.identification.words import enumerated, some_of
 from trueaxis.io.faults import Fault
 from trueaxis.machine.machine import LINEAR, ROTARY
 from trueaxis.measurement.data import readings_path
@@ -18,7 +18,6 @@ from trueaxis.model.model import MachineModel
 
 OFF_SPHERE = 5.0  # mm: a sphere is set up within five with a ruler
 SMALLEST_OFF = 0.001  # mm, to which it is said how far a tip stays where it was
-MOST_RUNS = 5  # named
 
 
 def wrong_tip(model: MachineModel, run: Run, positions: FloatArray, folder: Path) -> Wrong | None:
@@ -75,9 +74,8 @@ def tip_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
             far |= {run.id: way} if way > OFF_SPHERE else {}
     if not far:
         return ()
-    rest = f" and {len(far) - MOST_RUNS} more" if len(far) > MOST_RUNS else ""
     return (
-        f"{', '.join([*far][:MOST_RUNS])}{rest}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
+        f"{some_of([*far])}: the tip leaves its place by up to {max(far.values()):.3g} mm while "
         "rotary axes turn. If these are of a sphere, a dimension (--known), the sense of an axis, positions or a point "
         "in setup.toml is wrong, and the values are, too",
     )

@@ -34,6 +34,7 @@ READS: Mapping[How, str] = {
     "mirrored": "as if the targets were labelled from the other end (positions in readings.csv)",
     "swapped": "as if the readings were those of another run",
 }
+MOST_RUNS = 5  # named
 NOTHING = 1e-6  # of the other part of u: rounding
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
@@ -128,6 +129,12 @@ def in_small(unit: str) -> tuple[float, str]:
         if unit.split("/", maxsplit=1)[0] == plain:
             return by, small_unit + unit.removeprefix(plain)
     return 1.0, unit
+
+
+def some_of(each: Sequence[str]) -> str:
+    """`X1, X2, X3, X4, X5 and 7 more`."""
+    rest = f" and {len(each) - MOST_RUNS} more" if len(each) > MOST_RUNS else ""
+    return f"{', '.join(each[:MOST_RUNS])}{rest}"
 
 
 def in_digits(value: float, digits: int = 2) -> str:
