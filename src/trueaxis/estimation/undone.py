@@ -15,7 +15,7 @@ How = Literal["reversed", "small", "large", "inch", "arcsec", "urad", "mirrored"
 
 # By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
 # each other's readings. Inches were written for mm; arcseconds for microradians, or the other way round.
-INCH, ARCSEC = 25.4, np.pi / 0.648  # mm; urad
+INCH, ARCSEC = 25.4, np.pi / 0.648  # mm of an inch, urad of an arcsecond
 UNDONE: Mapping[How, float] = {
     "reversed": -1.0,
     "small": 1e3,
