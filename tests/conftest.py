@@ -9,6 +9,7 @@ from tests.command_lines import prepare
 from tests.kept import derived
 from tests.machines import ROOT
 from trueaxis.diagnosis.result import Diagnosis
+from trueaxis.estimation.wrong_runs import WrongRuns
 
 # Files that take some 20 s of a processor or more, the longest first: one that begins last keeps the others waiting.
 LONG = (
@@ -107,7 +108,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def values_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """For what looks at values, which an estimate has before it looks for runs that were misread: that takes longer."""
-    monkeypatch.setattr("trueaxis.estimation.estimate._wrong", lambda *_: ({}, []))
+    monkeypatch.setattr("trueaxis.estimation.estimate.wrong_runs", lambda *_: WrongRuns())
 
 
 @pytest.fixture

@@ -19,6 +19,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.rounds import MOST_ROUNDS, settled
 from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, counting, started, with_first_noise
 from trueaxis.estimation.state import with_noise as noisy
@@ -95,7 +96,7 @@ def test_readings_that_are_outliers_in_every_other_round_do_not_keep_the_noise_a
 
 def test_noise_that_does_not_stand_still_is_no_estimate_that_has_converged(monkeypatch: pytest.MonkeyPatch) -> None:
     data = mixed_data(cubic_errors(), 3, seed=1)
-    options = module.EstimationOptions(degree=3)
+    options = EstimationOptions(degree=3)
     assert module.estimate(dmu60p_model(), data, GIVEN, options).iteration.converged
     monkeypatch.setattr(module, "MOST_ROUNDS", 2)
     assert not module.estimate(dmu60p_model(), data, GIVEN, options).iteration.converged

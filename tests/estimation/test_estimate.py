@@ -9,10 +9,11 @@ import pytest
 from tests.worlds.estimates import World, deviations, outcome, rms_um, world
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine, random_points
-from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.rounds import NothingHeldError
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.setup import Device
 from trueaxis.model.curves import PolynomialCurve

@@ -16,9 +16,12 @@ from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import _far, _Rows, beside_all, beside_others
 from trueaxis.estimation.misread import SURE
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.steps import moved as moved_state
+from trueaxis.estimation.wrong_runs import WrongRuns
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.measurement.setup import Device, Run
 from trueaxis.model.errors import ErrorValues
 
 SEED, MACHINE = 9714, 9721  # 14 runs of few targets: half a second an estimate
@@ -66,11 +69,11 @@ def test_all_readings_say_of_a_run_what_the_others_say(
     one, reading = bench
     kept: list[Fitted] = []
 
-    def keep(_: object, fitted: Fitted, *__: object) -> tuple[dict[int, object], list[object]]:
+    def keep(_: object, fitted: Fitted, *__: object) -> WrongRuns:
         kept.append(fitted)
-        return {}, []
+        return WrongRuns()
 
-    monkeypatch.setattr(room, "_wrong", keep)
+    monkeypatch.setattr(room, "wrong_runs", keep)
     _estimated(one, reading)
     (fitted,) = kept
     state = fitted.state
@@ -147,6 +150,27 @@ def test_a_run_along_another_direction_is_named_with_it(bench: tuple[World, Arra
     assert (quality.fit.state, quality.fit.runs) == ("misfit", (line,))
     along = ", ".join(f"{part:g}" for part in right)
     assert f"run {line} reads as if its direction were [{along}] (direction in setup.toml)" in quality.reason
+
+
+def test_a_line_taken_under_compensation_is_not_said_to_have_sensed_across(bench: tuple[World, Array]) -> None:
+    """Its readings are as small as a straightness: the instrument has read displacements alone."""
+    one, reading = bench
+    line = [run.id for run in one.plan.runs].index("X1")
+    device = Device(id="L")
+    lines = [run.instrument == "laser" and not is_straight for run, is_straight in _straight(one)]
+    runs = [replace(run, device=device) if of else run for run, of in zip(one.plan.runs, lines, strict=True)]
+    little = np.where(one.plan.run == line, 0.02 * reading, reading)
+    quality = identify_estimated(
+        one.model, replace(one.plan, runs=tuple(runs), reading=little), IdentifyOptions(known=_known(one))
+    ).report.quality
+    assert (quality.fit.state, quality.fit.runs) == ("misfit", ("X1",))
+    assert "run X1 contradicts all others" in quality.reason
+    assert "a compensation active" in quality.reason
+
+
+def _straight(one: World) -> list[tuple[Run, bool]]:
+    at = [np.ascontiguousarray(one.plan.positions[:, one.plan.run == k]) for k in range(len(one.plan.runs))]
+    return [(run, is_straightness(one.model, run, where)) for run, where in zip(one.plan.runs, at, strict=True)]
 
 
 def test_a_zero_of_a_run_that_is_far_off_decides_nothing(bench: tuple[World, Array]) -> None:

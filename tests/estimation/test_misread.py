@@ -11,16 +11,18 @@ from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import mixed_data
 from tests.identification.effect_data import model_with
 from trueaxis.estimation import swapped as swapped_module
-from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.evidence import evidence_at
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.misread import Fault, fault_ratios
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.state import linearised
 from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.estimation.undone import undone_reading
+from trueaxis.estimation.wrong_runs import WrongRuns
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Device
@@ -57,6 +59,17 @@ def test_two_reversed_runs_are_named(readings: Observations) -> None:
     found = identify_estimated(model_with(), turned(readings, "X-1", "Y-5"), IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert set(found.values.fit.runs) == {"X-1", "Y-5"}
+
+
+def test_a_run_that_is_wrong_otherwise_is_named_beside_a_reversed_one(readings: Observations) -> None:
+    """With X-2 undone Y-5 contradicts the others, whatever is wrong with it: it was not looked for."""
+    wrong = turned(readings, "X-2")
+    y5 = wrong.run == [run.id for run in wrong.runs].index("Y-5")
+    elsewhere = replace(wrong, reading=wrong.reading + np.where(y5, 0.1 * np.sin(wrong.positions[1] / 40.0), 0.0))
+    quality = identify_estimated(model_with(), elsewhere, IdentifyOptions(known=KNOWN)).report.quality
+    assert quality.fit.state == "misfit"
+    assert "run X-2 reads as if the sign were reversed" in quality.reason
+    assert "run Y-5 contradicts all others, with that undone, too" in quality.reason
 
 
 # lines of one axis differ by what its angles make of their offsets alone: three of them tell little of X, of Z more
@@ -117,11 +130,11 @@ def test_a_fault_is_as_much_likelier_undone_as_the_evidence_says(
     """The marginal likelihoods of both, by the same sizes, noise and linearisation, from QR factors of all readings."""
     kept: list[tuple[Fitted, Posterior]] = []
 
-    def keep(_: object, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, object], list[object]]:
+    def keep(_: object, fitted: Fitted, posterior: Posterior) -> WrongRuns:
         kept.append((fitted, posterior))
-        return {}, []
+        return WrongRuns()
 
-    monkeypatch.setattr("trueaxis.estimation.estimate._wrong", keep)
+    monkeypatch.setattr("trueaxis.estimation.estimate.wrong_runs", keep)
     estimate(model_with(), swapped(readings, "X-1", "Y-5"), KNOWN)
     estimate(model_with(), turned(readings, "xy", "xz"), KNOWN)
     (fitted, posterior), (reversed_bars, its_posterior) = kept

@@ -12,10 +12,10 @@ from tests.worlds.truth import Truth, draw_machine
 from tests.worlds.unlike import large
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.orders import HIGHEST_DEGREE, higher_degrees
 from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.model.bases import travel_basis
 
 pytestmark = pytest.mark.usefixtures("values_alone")

@@ -9,7 +9,7 @@ from tests.worlds.estimates import World, outcome_of, world
 from tests.worlds.truth import draw_machine
 from tests.worlds.unlike import curve_figures, repeating, turning
 from trueaxis.estimation.curve_prior import HARMONICS, harmonics_of, range_of
-from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.sizes import TURNS
 from trueaxis.model.bases import travel_basis
 from trueaxis.model.curve_json import curve_object

@@ -26,10 +26,10 @@ from tests.identification.data import (
     with_estimation,
 )
 from tests.identification.test_paper import DIMENSIONS
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.state import linearised, started
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification

@@ -11,8 +11,8 @@ import pytest
 from tests.identification.random_plans import Drawn, drawn, outcome
 from tests.identification.test_command import ERRORS, KERNELS, LEAST_SQUARES, MACHINE, identify, simulated, values
 from trueaxis.cli.main import main
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.observations import Observations, copied_runs
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identification.paper.method import identify_paper

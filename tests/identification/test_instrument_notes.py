@@ -11,8 +11,8 @@ from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import dmu60p_model, mixed_data
 from tests.identification.test_paper import DIMENSIONS
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.instruments import CLASSES
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.identification.error_lines import by_usual_sizes
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.report import Identification

@@ -9,7 +9,7 @@ from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identification.data import dmu60p_model, line, observed, tool
 from tests.identification.random_data import ended
-from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.measurement.setup import PointOn
 from trueaxis.model.errors import ErrorValues

@@ -17,12 +17,13 @@ import numpy as np
 from tests.planning.data import model
 from tests.worlds.estimates import world
 from trueaxis.estimation.curve_prior import DEGREE, CurvePrior
-from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.tool_point import Datum, moved_by, volume
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.instrument_kinds import Instrument

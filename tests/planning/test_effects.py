@@ -17,10 +17,11 @@ from tests.planning.promise import NOISE, prior_sizes, readings
 from trueaxis.cli.main import main
 from trueaxis.effects.kind import Effect
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.judgement import judged_component
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.estimation.tool_point import ORIGIN
 from trueaxis.identification.estimated_effects import with_uncertainty
 from trueaxis.identification.weighting import NoiseModel

@@ -18,10 +18,11 @@ from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
 from tests.worlds.shop import Unknown, every_unknown
 from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
-from trueaxis.estimation.estimate import USUAL, EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.setting import USUAL, EstimationOptions
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, home_of, load_model

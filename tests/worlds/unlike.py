@@ -31,9 +31,9 @@ from tests.worlds.truth import Truth, draw_machine, span_of
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation import curve_prior
 from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.estimate import USUAL, EstimationOptions
 from trueaxis.estimation.judgement import judged_component, judged_location
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.setting import USUAL, EstimationOptions
 from trueaxis.model.errors import ErrorValues
 
 Source = np.random.Generator

@@ -16,9 +16,9 @@ from trueaxis.diagnosis.null_model.temperature import assumed, smoothed
 from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.report import Identification

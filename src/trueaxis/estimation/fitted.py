@@ -1,11 +1,13 @@
 """A state with the sizes at which its noise and unknowns were estimated."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.evidence import evidence_at, posterior_at
 from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, linearised
 from trueaxis.measurement.machine import FloatArray
@@ -27,6 +29,10 @@ class Fitted:
     def scales(self) -> dict[int, float]:
         """Of the noise of each run, by its index; as in the state."""
         return {one.rows.index: scale for one, scale in zip(self.state.runs, self.state.scales.tolist(), strict=True)}
+
+
+Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs, from the beginning
+Continued = Callable[[Fitted, Sequence[MeasuredRun]], Fitted]  # the estimate of runs that goes on from another
 
 
 def evidence_ratio(one: Fitted, other: Fitted) -> float:

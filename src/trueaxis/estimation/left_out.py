@@ -11,14 +11,14 @@ which counts for AS_MANY readings as everywhere. What that noise is where an err
 alone, which however many readings tell no better than AS_MANY: so many are the degrees of freedom.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import block_diag, null_space, qr
 
 from trueaxis.estimation.evidence import posterior_at
-from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.fitted import Continued, Fitted
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.noise import Whitening
@@ -84,14 +84,11 @@ class _Rows:
     beside: float
 
 
-Without = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of some runs
-
-
-def contradictions(fitted: Fitted, posterior: Posterior, continued: Without, sure: float) -> list[Contradiction]:
+def contradictions(fitted: Fitted, posterior: Posterior, continued: Continued, sure: float) -> list[Contradiction]:
     """Runs that contradict the others, one after the other; empty where more than MOST of all runs do.
 
-    posterior: of the fitted state; continued: goes on from there (of 10 suspects that contradicted, an estimate from
-    the beginning, at three times the cost, found a logarithm at most 6 % larger); sure: minus the logarithm of the
+    posterior: of the fitted state; continued: goes on from it (of 10 suspects that contradicted, an estimate from the
+    beginning, at three times the cost, found a logarithm at most 6 % larger); sure: minus the logarithm of the
     probability below which it is not noise.
     """
     groups, found, given_up = _groups(fitted.state.runs), list[Contradiction](), set[int]()
@@ -100,7 +97,7 @@ def contradictions(fitted: Fitted, posterior: Posterior, continued: Without, sur
         for wrong in _suspects(fitted, posterior, groups)[:TRIALS]:
             others = _others(fitted.state.runs, wrong)
             members = [one for one in fitted.state.runs if one.rows.index in wrong]
-            without = continued(others)
+            without = continued(fitted, others)
             wide, expected = widest(without)
             far = beside_others(wide, expected, members, fitted.scales)
             if far.log_p < -sure:
@@ -157,13 +154,15 @@ def _suspects(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> 
 
 
 def _groups(runs: Sequence[MeasuredRun]) -> list[Group]:
-    """Each run, and all of a set-up or a session, which agree with one another; none beyond MOST."""
+    """Each run, and all of a set-up, of an instrument in a session, or of a session, which agree with one another; none
+    beyond MOST.
+    """
     members: dict[Hashable, list[int]] = {}
     for one in runs:
         run = one.rows.run
         home = tuple(sorted(run.home.items()))
         set_up = (run.instrument, run.device, run.session, run.target, run.reference, run.frame, run.direction, home)
-        for key in (one.rows.index, set_up, run.session):
+        for key in (one.rows.index, set_up, (run.instrument, run.device, run.session), run.session):
             members.setdefault(key, []).append(one.rows.index)
     return [one for one in dict.fromkeys(map(tuple, members.values())) if len(one) <= MOST * len(runs)]
 

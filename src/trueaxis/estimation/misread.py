@@ -7,7 +7,7 @@ every fault that is likelier is undone on trial, noise and sizes are estimated a
 both are compared: the data are the same but for a factor or an order.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -15,8 +15,7 @@ import numpy as np
 
 from trueaxis.estimation.changed import ChangesOfRun, changes_of_run, log_ratio
 from trueaxis.estimation.display import DECIMALS, ROUNDING
-from trueaxis.estimation.fitted import Fitted, counting_in_both, evidence_ratio
-from trueaxis.estimation.left_out import Contradiction, beside_others, contradiction, widest
+from trueaxis.estimation.fitted import Continued, Fitted, Refit, counting_in_both, evidence_ratio
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
@@ -44,7 +43,6 @@ TRIED = 1.0
 MOST_TRIALS = 4
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
-Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,14 +85,24 @@ class Fault:
         return float(np.log(self.among))
 
 
-def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: Refit) -> dict[int, Misread]:
-    """Runs by index that are likelier with a fault undone.
+@dataclass(frozen=True, slots=True, eq=False)
+class MisreadRuns:
+    """runs: by index, those that are likelier with a fault undone; mistakes: the runs, by index, of each fault that is
+    sure, of which one is undone at least; undone: the estimate with those undone.
+    """
 
-    One after the other: the next beside those that were undone before. Where several runs are as likely as each other
-    to be the one that is misread, each is there. posterior: of what is fitted; continued: goes on from there.
+    runs: dict[int, Misread]
+    mistakes: tuple[frozenset[int], ...]
+    undone: Fitted
+
+
+def misread_runs(fitted: Fitted, posterior: Posterior, continued: Continued, refit: Refit) -> MisreadRuns:
+    """One after the other: the next beside those that were undone before. Where several runs are as likely as each
+    other to be the one that is misread, each is there, and the likeliest is undone. posterior: of what is fitted.
     """
     found: dict[int, Misread] = {}
     undone: set[Fault] = set()
+    mistakes: list[frozenset[int]] = []
     while True:
         state = fitted.state
         # beside a fault of all its instrument a run may have one of its own
@@ -107,7 +115,7 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
         for fault in _with_other_units(likeliest[:MOST_TRIALS], odds):
             runs = _with_undone(state.runs, fault)
             if runs is not None:
-                trial = continued(runs)
+                trial = continued(fitted, runs)
                 gain = _gain(fitted, trial, fault)
                 if gain > TRIED:
                     trial = refit(runs)
@@ -116,7 +124,7 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
                     following = trial
                 gains[fault] = gain
         if not gains or max(gains.values()) <= SUSPICIOUS:
-            return found
+            break
         best = max(gains.values())
         alike = [key for key in gains if gains[key] > max(best - SURE, SUSPICIOUS)]
         for fault in sorted(alike, key=lambda key: -gains[key]):
@@ -129,10 +137,12 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Refit, refit: 
                     wrong = replace(wrong, together=indices)
                 found.setdefault(index, wrong)
         if best <= SURE:
-            return found
+            break
         undone |= set(alike)
+        mistakes.append(frozenset(state.runs[place].rows.index for fault in alike for place in fault.places))
         fitted = following
         posterior = fitted.posterior()
+    return MisreadRuns(found, tuple(mistakes), fitted)
 
 
 def _with_other_units(faults: Sequence[Fault], among: Collection[Fault]) -> list[Fault]:
@@ -191,33 +201,6 @@ def _of_instruments(state: State, columns: Mapping[int, Sequence[How]]) -> Itera
                 yield Fault(places, how)
 
 
-def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> list[Contradiction]:
-    """Runs that contradict the others with their fault undone, too: something else is wrong with them.
-
-    sure: runs by index that are misread; refit: of the other runs.
-    """
-    by_index = {one.rows.index: one for one in fitted.state.runs}
-    others = [one for one in fitted.state.runs if one.rows.index not in sure]
-    if not {one.noise_group for one in fitted.state.runs} <= {one.noise_group for one in others}:
-        return []
-    without, expected = widest(refit(others))
-    found = []
-    for one in fitted.state.runs:
-        wrong = sure.get(one.rows.index)
-        if wrong is None:
-            continue
-        partner = None if wrong.partner is None else by_index[wrong.partner]
-        reading = undone_reading(one, wrong.how) if partner is None else partner.reading
-        if reading is not None:
-            undone, now = (
-                beside_others(without, expected, [replace(one, reading=values)], fitted.scales)
-                for values in (reading, one.reading)
-            )
-            if max(undone.log_p, now.log_p) < -SURE:
-                found.append(contradiction((one.rows.index,), now, now, without, expected))
-    return found
-
-
 def _of_factor(state: State, fault: Fault) -> float:
     """Logarithm of the density of readings that are multiplied: finer ones are denser, but not what is coarser than the
     noise since the display shows no more. state: with the readings as they are.
@@ -253,12 +236,3 @@ def _gain(one: Fitted, other: Fitted, fault: Fault) -> float:
         before, after = counting_in_both(one.state, other.state)
         value += _of_factor(replace(before, noise=after.noise, scales=after.scales), fault)
     return value - fault.price - (BY_SIZE if fault.how in ONLY_TOGETHER else 0.0)
-
-
-def mean_square(state: State) -> float:
-    """Of the residuals that count, over their noise."""
-    white = [
-        state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])
-        for place, one in enumerate(state.runs)
-    ]
-    return float(np.mean(np.vstack(white) ** 2))

@@ -23,6 +23,7 @@ from trueaxis.model.errors import ErrorValues
 KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
 # of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
 DRAWS, DRAWN = 8, 40_000
+LEAST_SQUARE = 1.0 / 9.0  # of residuals over their stated noise: below, it is three times too large or more
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -260,3 +261,17 @@ def _root(state: State, posterior: Posterior, place: int) -> FloatArray:
     own = posterior.own[place]
     by_others = triangle_of([np.vstack([part.others @ posterior.spread, own.by_others]).T]).T
     return np.hstack([np.hstack([part.by_few, part.own]) @ by_others, part.own @ own.alone])
+
+
+def mean_square(state: State) -> float:
+    """Of the residuals that count, over their noise."""
+    white = [
+        state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])
+        for place, one in enumerate(state.runs)
+    ]
+    return float(np.mean(np.vstack(white) ** 2))
+
+
+def as_stated(state: State) -> bool:
+    """Whether residuals are as large as a noise that is stated."""
+    return LEAST_SQUARE < mean_square(state) <= 1.0

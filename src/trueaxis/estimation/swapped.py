@@ -1,6 +1,6 @@
 """Runs whose readings are likelier in another's place, by another's set-up, or along another direction."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -8,11 +8,12 @@ import numpy as np
 
 from trueaxis.estimation.changed import changes_of_run, log_ratio
 from trueaxis.estimation.display import DECIMALS
-from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.fitted import Fitted, Refit
 from trueaxis.estimation.left_out import beside_others, widest
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.measurement.setup import Run
 
 # Runs of as many readings of an instrument that are compared, those that fit worst: time grows with their square
 MOST_ALIKE = 60
@@ -87,9 +88,7 @@ def _differ(one: MeasuredRun, other: MeasuredRun) -> bool:
     return set_ups[0] != set_ups[1] or not np.array_equal(one.rows.positions, other.rows.positions)
 
 
-def likely_set_ups(
-    fitted: Fitted, wrong: Sequence[int], refit: Callable[[Sequence[MeasuredRun]], Fitted], sure: float
-) -> list[Swap | Turned]:
+def likely_set_ups(fitted: Fitted, wrong: Sequence[int], refit: Refit, sure: float) -> list[Swap | Turned]:
     """Of a few runs that are wrong, by index, each with the run whose set-up explains its readings best, and with the
     direction that does, if noise allows as much, by an estimate without it; places are indices. None without a prior.
 
@@ -99,7 +98,13 @@ def likely_set_ups(
     runs, few = fitted.state.runs, () if fitted.sizes.flat else wrong[:MOST_WRONG]
     for one in (run for run in runs if run.rows.index in few):
         others = [run for run in runs if run is not one]
-        partners = [run for run in others if run.noise_group == one.noise_group and run.rows.run != one.rows.run]
+        partners = [
+            run
+            for run in others
+            if run.noise_group == one.noise_group
+            and run.rows.run != one.rows.run
+            and _may_be(fitted, one, run.rows.run)
+        ]
         directions = _other_directions(fitted, one)
         told = one.noise_group in {run.noise_group for run in others}  # the noise of the run
         if not told or not (partners or directions):
@@ -127,7 +132,7 @@ def likely_set_ups(
 
 def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Direction]:
     """Along the axes of the measuring frame and along the motion, both ways; not its own, nor the opposite of that,
-    which is its sign. None of a display that never moved: it says nothing of a direction.
+    which is its sign. None of a display that never moved, which says nothing of a direction.
     """
     own = one.rows.run.direction
     if own is None or np.ptp(one.reading) <= 10.0**-DECIMALS:
@@ -137,7 +142,18 @@ def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Direction]:
     axes = [*np.eye(3), *([along] if moved.any() and np.abs(along).max() < 1.0 - ALONG else [])]
     others = [axis for axis in axes if np.linalg.norm(np.cross(axis, own)) > ALONG]
     both_ways = (one for axis in others for one in (axis + 0.0, 0.0 - axis))  # no zero with a sign
-    return [(float(x), float(y), float(z)) for x, y, z in both_ways]
+    found: list[Direction] = [(float(x), float(y), float(z)) for x, y, z in both_ways]
+    return [way for way in found if _may_be(fitted, one, replace(one.rows.run, direction=way))]
+
+
+def _may_be(fitted: Fitted, one: MeasuredRun, set_up: Run) -> bool:
+    """Whether a run may have been made by a set-up: of straightness where its instrument has read straightness, of a
+    displacement where it has read displacements, in this run as it is written or in another. A curve of straightness
+    that no other run tells would take up whatever is wrong.
+    """
+    layout = fitted.state.layout
+    read = {layout.straightness[run.rows.index] for run in fitted.state.runs if run.noise_group == one.noise_group}
+    return is_straightness(layout.model, set_up, one.rows.positions) in read
 
 
 def _sensing(

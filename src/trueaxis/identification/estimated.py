@@ -8,13 +8,14 @@ import numpy as np
 
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.combinations import combinations
-from trueaxis.estimation.estimate import USUAL, EstimationOptions, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations, copied_runs
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.rounds import NothingHeldError
 from trueaxis.estimation.runs import measured_runs, noise_groups
+from trueaxis.estimation.setting import USUAL, EstimationOptions
 from trueaxis.estimation.tool_point import ORIGIN, tool_summary
 from trueaxis.identification.estimated_effects import covariances, with_uncertainty
 from trueaxis.identification.estimated_report import estimated_report

@@ -29,7 +29,8 @@ MOST_RUNS = 10  # that are listed
 class Contradicting:
     """Runs that contradict the others, the surest first. times: how far the farthest is off, over its noise; log_p: of
     the least sure, logarithm of the probability of being as far by noise; zeros_free: times where zeros may be
-    anything; moved, u: how far the tool point moves without them, and how uncertain it is then, mm.
+    anything; moved, u: how far the tool point moves without them, and how uncertain it is then, mm; undone: whether
+    these are by readings with the faults of misread runs undone.
     """
 
     runs: tuple[str, ...]
@@ -38,6 +39,7 @@ class Contradicting:
     zeros_free: float
     moved: float
     u: float
+    undone: bool = False
 
     @property
     def matter(self) -> bool:
@@ -48,10 +50,11 @@ class Contradicting:
 
     def __str__(self) -> str:
         verb, them = ("contradicts", "it") if len(self.runs) == 1 else ("contradict", "them")
+        others = "all others" + (", with that undone, too" if self.undone else "")
         left = len(self.runs) - MOST_RUNS
         named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
         return (
-            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others: noise alone takes all "
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} {others}: noise alone takes all "
             "readings of a sound run as far from what the others predict with a probability of "
             f"{_probability(self.log_p)} (together; the farthest combination of them is {in_digits(self.times)} "
             f"standard deviations off); without {them} the tool point moves by {in_digits(self.moved * 1e3)} um (RMS "
@@ -166,6 +169,7 @@ def _contradicting(observed: Observations, found: Estimate) -> Contradicting | N
         zeros_free=max(one.zeros_free for one in each),
         moved=moved,
         u=u,
+        undone=any(one.sure for one in found.readings.misread.values()),
     )
 
 

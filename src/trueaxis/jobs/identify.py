@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.observations import observations
+from trueaxis.estimation.setting import EstimationOptions
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.notes import compensation_note, unread_caveats
