@@ -16,12 +16,12 @@ from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import _far, _Rows, beside_all, beside_others
 from trueaxis.estimation.misread import SURE
 from trueaxis.estimation.result import Estimate
-from trueaxis.estimation.set_up import is_straightness
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.steps import moved as moved_state
+from trueaxis.estimation.swapped import _other_directions
 from trueaxis.estimation.wrong_runs import WrongRuns
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
-from trueaxis.measurement.setup import Device, Run
+from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
 
 SEED, MACHINE = 9714, 9721  # 14 runs of few targets: half a second an estimate
@@ -50,6 +50,18 @@ def _swapped(one: World, reading: Array, pair: tuple[int, int]) -> Array:
     return found
 
 
+def _kept(monkeypatch: pytest.MonkeyPatch) -> list[Fitted]:
+    """What is fitted from now on, of which no run is judged."""
+    kept: list[Fitted] = []
+
+    def keep(_: object, fitted: Fitted, *__: object) -> WrongRuns:
+        kept.append(fitted)
+        return WrongRuns()
+
+    monkeypatch.setattr(room, "wrong_runs", keep)
+    return kept
+
+
 def _pairs(one: World) -> list[tuple[int, int]]:
     """Lines of as many readings that sense different directions."""
     runs, counts = one.plan.runs, np.bincount(one.plan.run, minlength=len(one.plan.runs))
@@ -67,13 +79,7 @@ def test_all_readings_say_of_a_run_what_the_others_say(
 ) -> None:
     """P^-1 e is what the run differs by from an estimate without it, at the same sizes and noise."""
     one, reading = bench
-    kept: list[Fitted] = []
-
-    def keep(_: object, fitted: Fitted, *__: object) -> WrongRuns:
-        kept.append(fitted)
-        return WrongRuns()
-
-    monkeypatch.setattr(room, "wrong_runs", keep)
+    kept = _kept(monkeypatch)
     _estimated(one, reading)
     (fitted,) = kept
     state = fitted.state
@@ -152,25 +158,26 @@ def test_a_run_along_another_direction_is_named_with_it(bench: tuple[World, Arra
     assert f"run {line} reads as if its direction were [{along}] (direction in setup.toml)" in quality.reason
 
 
-def test_a_line_taken_under_compensation_is_not_said_to_have_sensed_across(bench: tuple[World, Array]) -> None:
-    """Its readings are as small as a straightness: the instrument has read displacements alone."""
+@pytest.mark.parametrize("by_itself", [False, True])
+def test_a_line_may_be_a_straightness_only_where_its_instrument_has_read_one(
+    bench: tuple[World, Array], monkeypatch: pytest.MonkeyPatch, by_itself: bool
+) -> None:
+    """A line taken under compensation reads as little as a straightness, and was said to have sensed across."""
     one, reading = bench
-    line = [run.id for run in one.plan.runs].index("X1")
-    device = Device(id="L")
-    lines = [run.instrument == "laser" and not is_straight for run, is_straight in _straight(one)]
-    runs = [replace(run, device=device) if of else run for run, of in zip(one.plan.runs, lines, strict=True)]
-    little = np.where(one.plan.run == line, 0.02 * reading, reading)
-    quality = identify_estimated(
-        one.model, replace(one.plan, runs=tuple(runs), reading=little), IdentifyOptions(known=_known(one))
-    ).report.quality
-    assert (quality.fit.state, quality.fit.runs) == ("misfit", ("X1",))
-    assert "run X1 contradicts all others" in quality.reason
-    assert "a compensation active" in quality.reason
-
-
-def _straight(one: World) -> list[tuple[Run, bool]]:
-    at = [np.ascontiguousarray(one.plan.positions[:, one.plan.run == k]) for k in range(len(one.plan.runs))]
-    return [(run, is_straightness(one.model, run, where)) for run, where in zip(one.plan.runs, at, strict=True)]
+    kept = _kept(monkeypatch)
+    runs = one.plan.runs
+    if by_itself:
+        optics = Device(id="straightness")
+        runs = tuple(replace(run, device=optics) if "s" in run.id else run for run in runs)
+    estimate(one.model, replace(one.plan, runs=runs, reading=reading.copy()), _known(one))
+    state = kept[0].state
+    straight = [run.rows.run.id for run in state.runs if state.layout.straightness[run.rows.index]]
+    assert straight
+    assert all("s" in name for name in straight)
+    line = next(run for run in state.runs if run.rows.run.id == "X1")
+    directions = _other_directions(kept[0], line)
+    across = [way for way in directions if abs(way[0]) < 1e-6]
+    assert bool(across) is not by_itself
 
 
 def test_a_zero_of_a_run_that_is_far_off_decides_nothing(bench: tuple[World, Array]) -> None:
