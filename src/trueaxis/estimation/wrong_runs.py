@@ -101,10 +101,11 @@ def _by_another_set_up(
     setting: Setting, fitted: Fitted, among: WrongRuns, continued: Continued, refit: Refit
 ) -> WrongRuns | None:
     """The two runs that were made each by the set-up of the other, or the one that sensed along another direction, if
-    that explains most of what is wrong and leaves no more than was wrong; with what is left.
+    that explains most of what is wrong and leaves no more than was wrong.
 
-    Positions go with the readings: other than where readings alone are in each other's place. What all runs of an
-    instrument have is not the set-up of one.
+    What it leaves is told once it is mended: its unknowns may be others than those of the estimate. Positions go with
+    the readings: other than where readings alone are in each other's place. What all runs of an instrument have is not
+    the set-up of one.
     """
     misread = {index: one for index, one in among.misread.items() if one.sure}
     single = (index for index, one in misread.items() if not one.together)
@@ -136,7 +137,5 @@ def _by_another_set_up(
                 first: Misread(how="swapped", log_odds=gain, partner=second),
                 second: Misread(how="swapped", log_odds=gain, partner=first),
             }
-        said = others | made
-        left = [one for one in left if not set(one.runs) & set(said)]
-        most, found = gain, WrongRuns(said, left, among.mistakes)
+        most, found = gain, WrongRuns(others | made, mistakes=1 + len(left))
     return found
