@@ -57,4 +57,8 @@ class Setting:
         )
         layout = giving_way(layout, self.runs)
         state = started(layout, self.runs, self.given, self.options.noise)
-        return state, Sizes(layout, state.own_kinds, flat=not self.options.prior, ideal=self.options.ideal)
+        return state, self.sizes(state)
+
+    def sizes(self, state: State) -> Sizes:
+        """Of the unknowns of a state."""
+        return Sizes(state.layout, state.own_kinds, flat=not self.options.prior, ideal=self.options.ideal)

@@ -12,7 +12,6 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, settled
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.setting import Setting
-from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import as_stated, of_runs, started
 from trueaxis.estimation.swapped import Turned, likely_set_ups
 
@@ -71,13 +70,13 @@ def _fewest_mistakes(fitted: Fitted, posterior: Posterior, continued: Continued,
 
 def _refit(setting: Setting, fitted: Fitted, noise: Mapping[int, float]) -> Refit:
     """An estimate of runs from the beginning. noise: that is stated, of runs by index, mm."""
-    state, options = fitted.state, setting.options
+    state = fitted.state
     kept = dict(zip((one.rows.index for one in state.runs), state.kept, strict=False))
 
     def refit(runs: Sequence[MeasuredRun]) -> Fitted:
         of_runs = tuple(kept[one.rows.index] for one in runs) if kept else ()
         begun = started(state.layout, tuple(runs), setting.given, noise, of_runs)
-        sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
+        sizes = setting.sizes(begun)
         x, found, _ = settled(begun, sizes, MOST_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
@@ -86,11 +85,10 @@ def _refit(setting: Setting, fitted: Fitted, noise: Mapping[int, float]) -> Refi
 
 def _continued(setting: Setting) -> Continued:
     """An estimate of runs that goes on from another."""
-    options = setting.options
 
     def continued(before: Fitted, runs: Sequence[MeasuredRun]) -> Fitted:
         begun = of_runs(before.state, runs)
-        sizes = Sizes(begun.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
+        sizes = setting.sizes(begun)
         x, found, _ = settled(begun, sizes, MOST_ROUNDS, sizes.taken(before.sizes, before.x), CONTINUED_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
