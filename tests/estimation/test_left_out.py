@@ -15,10 +15,10 @@ from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import _far, _Rows, beside_all, beside_others
 from trueaxis.estimation.misread import SURE
+from trueaxis.estimation.other_set_ups import _other_directions
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.steps import moved as moved_state
-from trueaxis.estimation.swapped import _other_directions
 from trueaxis.estimation.wrong_runs import WrongRuns
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.measurement.setup import Device

@@ -28,11 +28,13 @@ from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import ErrorValues
+from trueaxis.view import Frame
 
 FACTORS = {"sign reversed": -1.0, "1000 times too small": 1e-3, "1000 times too large": 1e3}
 MIRRORED = "targets from the other end"
 ALL = "all readings"
 EVERY = "all runs of"
+FRAMES: dict[Frame, Frame] = {"bed": "workpiece", "workpiece": "bed"}
 KINDS = ("laser", "straightness", "ballbar", "probe")
 ELSEWHERE, BALL, LENGTH = 200.0, 3.0, 0.05  # mm: a home or target point, a ball, the length of a bar
 
@@ -93,6 +95,9 @@ def _of_instruments(plan: Observations, kinds: Mapping[int, str]) -> Iterator[Fa
         for fault in ("sign reversed", "1000 times too small"):
             reading = np.where(np.isin(plan.run, wrong), FACTORS[fault], 1.0) * plan.reading
             yield Faulty(fault, f"{EVERY} {instrument}", named, replace(plan, reading=reading))
+        if instrument != "ballbar":  # a distance has no frame
+            other = [replace(run, frame=FRAMES[run.frame]) if k in wrong else run for k, run in enumerate(plan.runs)]
+            yield Faulty("in the other frame", f"{EVERY} {instrument}", named, replace(plan, runs=tuple(other)))
 
 
 def _of_set_ups(plan: Observations, kinds: Mapping[int, str], source: np.random.Generator) -> Iterator[Faulty]:

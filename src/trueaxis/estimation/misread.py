@@ -22,6 +22,8 @@ from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.state import State
 from trueaxis.estimation.swapped import swap_ratios
 from trueaxis.estimation.undone import OF_INSTRUMENTS, ONLY_TOGETHER, UNDONE, UNITS, How, undone_reading
+from trueaxis.measurement.setup import Vector
+from trueaxis.view import Frame
 
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
@@ -49,14 +51,16 @@ LEAST_NOISE = 2e-5
 class Misread:
     """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone;
     partner: the run, by index, whose readings it has if they are swapped; together: the runs, by index, of an
-    instrument of which all have the fault, itself among them, else none; direction: along which it reads.
+    instrument, or of it in a session, of which all have the fault, itself among them, else none; direction: along which
+    it reads; frame: in which it reads.
     """
 
     how: How
     log_odds: float
     partner: int | None = None
     together: tuple[int, ...] = ()
-    direction: tuple[float, float, float] | None = None
+    direction: Vector | None = None
+    frame: Frame | None = None
 
     @property
     def sure(self) -> bool:

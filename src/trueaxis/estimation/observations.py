@@ -10,8 +10,9 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.readings import DirectionArray, IntArray, Readings
-from trueaxis.measurement.setup import Run
+from trueaxis.measurement.setup import Run, Vector
 from trueaxis.model.context import Context
+from trueaxis.view import Frame
 
 MOSTLY, FEWEST_COPIES = 0.5, 3  # a coarse display makes some repeats equal, hardly ever most of them
 DECIMALS = 6  # of mm and deg, within which commanded positions are the same
@@ -53,9 +54,14 @@ class Observations:
         """As if the readings of one run, with their positions, were those of the other, and the other way round."""
         return replace(self, run=np.select([self.run == one, self.run == other], [other, one], self.run))
 
-    def turned(self, one: int, direction: tuple[float, float, float]) -> "Observations":
+    def turned(self, one: int, direction: Vector) -> "Observations":
         """As if one run had sensed in another direction."""
         runs = [replace(run, direction=direction) if k == one else run for k, run in enumerate(self.runs)]
+        return replace(self, runs=tuple(runs))
+
+    def framed(self, indices: Collection[int], frame: Frame) -> "Observations":
+        """As if some runs were written in a frame."""
+        runs = [replace(run, frame=frame) if k in indices else run for k, run in enumerate(self.runs)]
         return replace(self, runs=tuple(runs))
 
 

@@ -11,7 +11,7 @@ from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measurement.instrument_kinds import ANGLE
 from trueaxis.measurement.machine import FloatArray
 
-How = Literal["reversed", "small", "large", "inch", "arcsec", "urad", "mirrored", "swapped", "turned"]
+How = Literal["reversed", "small", "large", "inch", "arcsec", "urad", "mirrored", "swapped", "turned", "framed"]
 
 # By what a run's readings are multiplied to undo it; a mirrored run is put in the other order. Two swapped runs get
 # each other's readings. Inches were written for mm; arcseconds for microradians, or the other way round.

@@ -8,12 +8,12 @@ import numpy as np
 from trueaxis.estimation.fitted import Continued, Fitted, Refit, evidence_ratio
 from trueaxis.estimation.left_out import Contradiction, contradictions
 from trueaxis.estimation.misread import SURE, Misread, misread_runs
+from trueaxis.estimation.other_set_ups import other_set_ups
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, settled
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.setting import Setting
 from trueaxis.estimation.state import as_stated, of_runs, started
-from trueaxis.estimation.swapped import Turned, likely_set_ups
 
 # times: what is right leaves no more noise than there was, but for readings that count again. A line 0.1 mm off
 # was likelier as another's, and contradicted nothing then, by a noise of 18 um in place of 0.4 um
@@ -98,12 +98,8 @@ def _continued(setting: Setting) -> Continued:
 def _by_another_set_up(
     setting: Setting, fitted: Fitted, among: WrongRuns, continued: Continued, refit: Refit
 ) -> WrongRuns | None:
-    """The two runs that were made each by the set-up of the other, or the one that sensed along another direction, if
-    that explains most of what is wrong and leaves no more than was wrong.
-
-    What it leaves is told once it is mended: its unknowns may be others than those of the estimate. Positions go with
-    the readings: other than where readings alone are in each other's place. What all runs of an instrument have is not
-    the set-up of one.
+    """What setup.toml may have said of some runs, if that explains most of what is wrong and leaves no more than was
+    wrong. What it leaves is told once it is mended: its unknowns may be others than those of the estimate.
     """
     misread = {index: one for index, one in among.misread.items() if one.sure}
     single = (index for index, one in misread.items() if not one.together)
@@ -111,12 +107,8 @@ def _by_another_set_up(
     wrong = [*contradicting, *sorted(single, key=lambda index: -misread[index].log_odds)]
     others = {index: one for index, one in among.misread.items() if one.partner is None}
     most, found = max([SURE, *(one.log_odds for one in misread.values())]), None
-    for other in likely_set_ups(fitted, wrong, refit, SURE):
-        if isinstance(other, Turned):
-            relabelled = setting.observed.turned(other.index, other.direction)
-        else:
-            relabelled = setting.observed.exchanged(*other.places)
-        there = replace(setting, observed=relabelled, runs=tuple(measured_runs(relabelled)))
+    for other in other_set_ups(fitted, setting.observed, wrong, misread, refit, SURE):
+        there = replace(setting, observed=other.observed, runs=tuple(measured_runs(other.observed)))
         begun, sizes = there.started(fitted.state.layout.effects)
         x, state, _ = settled(begun, sizes, MOST_ROUNDS)
         so = Fitted(state=state, sizes=sizes, x=x)
@@ -127,13 +119,6 @@ def _by_another_set_up(
         left = contradictions(so, so.posterior(), continued, SURE)
         if 1 + len(left) > among.mistakes:
             continue
-        if isinstance(other, Turned):
-            made = {other.index: Misread(how="turned", log_odds=gain, direction=other.direction)}
-        else:
-            first, second = other.places
-            made = {
-                first: Misread(how="swapped", log_odds=gain, partner=second),
-                second: Misread(how="swapped", log_odds=gain, partner=first),
-            }
+        made = {index: replace(one, log_odds=gain) for index, one in other.misread.items()}
         most, found = gain, WrongRuns(others | made, mistakes=1 + len(left))
     return found

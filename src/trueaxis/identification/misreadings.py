@@ -132,24 +132,32 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
             done.add(index)
             along = ", ".join(f"{part:g}" for part in one.direction)
             yield f"{who} {verb} as if its direction were [{along}] (direction in setup.toml)", one
+        elif one.frame is not None:
+            done |= set(one.together)
+            verb = verb.removesuffix("s") if len(one.together) > 1 else verb
+            yield f'{who} {verb} as if "{one.frame}" were written for its frame (frame in setup.toml)', one
         else:
             done |= {index, *one.together}
             yield f"{who} {verb.removesuffix('s') if one.together else verb} {READS[one.how]}", one
 
 
 def _who(observed: Observations, index: int, one: Misread) -> str:
-    """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser` that have a fault together."""
-    named = observed.runs[index].id
-    if one.together:
+    """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser in session B`, of one fault."""
+    if len(one.together) > 1:
+        group, own = noise_groups(observed.runs)[index], {observed.runs[each].session for each in one.together}
+        every = {
+            run.session for run, name in zip(observed.runs, noise_groups(observed.runs), strict=True) if name == group
+        }
         count = "both" if len(one.together) == 2 else f"all {len(one.together)}"
-        return f"{count} runs of {noise_groups(observed.runs)[index]}"
-    return f"run {named}" if one.partner is None else f"runs {named} and {observed.runs[one.partner].id}"
+        return f"{count} runs of {group}" + (f" in session {own.pop()}" if len(every) > len(own) == 1 else "")
+    among = (index,) if one.partner is None else (index, one.partner)
+    return f"run{'s' if len(among) > 1 else ''} {enumerated([observed.runs[each].id for each in among])}"
 
 
 def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:
     kinds = {one.how for one in sure.values()}
     who = list(dict.fromkeys(_who(observed, index, one) for index, one in sure.items()))
-    if len(who) == 1 or len(kinds) > 1 or kinds & {"swapped", "turned"}:
+    if len(who) == 1 or len(kinds) > 1 or kinds & {"swapped", "turned", "framed"}:
         return "; ".join(text for text, _ in _each(observed, sure, "reads"))
     wrong = READS[kinds.pop()]
     if any(one.together for one in sure.values()):
