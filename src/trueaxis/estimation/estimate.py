@@ -6,6 +6,7 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.error_name import ErrorName
+from trueaxis.estimation.doubted_lengths import doubted_lengths
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, likelier, posterior_at
@@ -99,7 +100,8 @@ def _estimated(setting: Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL and (rounds < MOST_ROUNDS or _without_noise(state))
-    wrong = wrong_runs(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
+    fitted = Fitted(state=state, sizes=sizes, x=x)
+    wrong = wrong_runs(setting, fitted, posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     beside_it = as_expected(sizes, found, x) if setting.options.prior else None
     if setting.options.prior:
@@ -130,6 +132,7 @@ def _estimated(setting: Setting, effects: EffectUnknowns) -> Estimate:
             outliers=outliers,
             misread=wrong.misread,
             contradicting=tuple(wrong.contradicting),
+            doubted=() if wrong.mistakes else doubted_lengths(setting, fitted),
             freedom=float((~outliers).sum()) - posterior.told,
         ),
         iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),

@@ -50,7 +50,8 @@ TOOL_AXIS = 2  # Z of the tool frame, along which a stylus is long: ISO 841 has 
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 BALL_OF_RUN = "ballbar centre of a run"
 PROBE_LENGTH = "probe length"  # where nobody states how well it is known
-STYLUSES = (PROBE_LENGTH, "stated stylus")
+STATED_STYLUS = "stated stylus"
+STYLUSES = (PROBE_LENGTH, STATED_STYLUS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,7 +101,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
         UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
-        UnknownClass(name="stated stylus", unit="mm", size=1.0, factor=STATED_FACTOR),
+        UnknownClass(name=STATED_STYLUS, unit="mm", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated slope", unit="rad", size=1.0, factor=STATED_FACTOR),
     )
@@ -190,7 +191,7 @@ def shared_unknowns(runs: Sequence[Run], taken: Sequence[Taken], straightness: S
 
 
 def _stylus(run: Run) -> str:
-    return PROBE_LENGTH if run.device is None or run.device.length_u is None else "stated stylus"
+    return PROBE_LENGTH if run.device is None or run.device.length_u is None else STATED_STYLUS
 
 
 def states_line(run: Run) -> bool:
@@ -203,7 +204,7 @@ def _shared_size(kind: str, run: Run) -> float:
     if known is None:
         return CLASSES[kind].size
     length, scale, slope = known.length_u, known.scale_u, known.line_u
-    stated = {"stated length": length, "stated stylus": length, "stated scale": scale, "stated slope": slope}
+    stated = {"stated length": length, STATED_STYLUS: length, "stated scale": scale, "stated slope": slope}
     size = stated.get(kind)
     return CLASSES[kind].size if size is None else size
 

@@ -7,7 +7,7 @@ every fault that is likelier is undone on trial, noise and sizes are estimated a
 both are compared: the data are the same but for a factor or an order.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -194,15 +194,20 @@ def fault_ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
 
 
 def _of_instruments(state: State, columns: Mapping[int, Sequence[How]]) -> Iterator[Fault]:
-    """Those that all runs of an instrument may have, beside another. columns: what each run may have, by its place."""
-    groups: dict[str, list[int]] = {}
+    """Those that all runs of an instrument may have, beside another; and the wrong sign of all of it that sense along
+    one line, as one column of a file has. columns: what each run may have, by its place.
+    """
+    of_instrument: dict[str, list[int]] = {}
+    along: dict[Hashable, list[int]] = {}
     for place, one in enumerate(state.runs):
-        groups.setdefault(one.noise_group, []).append(place)
-    if len(groups) > 1:
-        for how, members in product(OF_INSTRUMENTS, groups.values()):
-            places = tuple(place for place in members if how in columns[place])
-            if len(places) > 1:
-                yield Fault(places, how)
+        of_instrument.setdefault(one.noise_group, []).append(place)
+        along.setdefault((one.noise_group, one.rows.run.line), []).append(place)
+    groups = [(how, members) for how, members in product(OF_INSTRUMENTS, of_instrument.values())]
+    groups += [("reversed", members) for members in along.values() if members not in of_instrument.values()]
+    for how, members in groups:
+        places = tuple(place for place in members if how in columns[place])
+        if 1 < len(places) < len(state.runs):
+            yield Fault(places, how)
 
 
 def _of_factor(state: State, fault: Fault) -> float:

@@ -64,6 +64,13 @@ class Observations:
         runs = [replace(run, frame=frame) if k in indices else run for k, run in enumerate(self.runs)]
         return replace(self, runs=tuple(runs))
 
+    def unstated(self, indices: Collection[int]) -> "Observations":
+        """As if no device's table stated how well lengths of some runs are known."""
+        known = [replace(run.device, length_u=None) if run.device else None for run in self.runs]
+        devices = zip(self.runs, known, strict=True)
+        runs = [replace(run, device=one) if k in indices else run for k, (run, one) in enumerate(devices)]
+        return replace(self, runs=tuple(runs))
+
 
 def observations(source: str, runs: Sequence[Run], readings: Readings, only: Collection[str] = ()) -> Observations:
     """The rows that have a reading; only: of these runs, if any are named. Raises InputError where none has."""

@@ -13,7 +13,8 @@ from trueaxis.estimation.misread import Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.estimation.set_up import is_straightness, relative_motion, turned_about
+from trueaxis.measurement.instrument_kinds import ANGLE
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.setup import Run, Vector
@@ -23,6 +24,7 @@ from trueaxis.view import Frame, view_of
 # Runs that are wrong, of which it is asked whose they are and along what, each at the cost of three estimates; and
 # groups of runs of which it is asked in what frame they are, each at the cost of one
 MOST_WRONG = 3
+ABOUT = 0.5  # cosine of an angle up to which a rotation is about the sensed direction: others are across
 ALONG = 1e-6  # sine of an angle up to which two directions are one
 OTHER: dict[Frame, Frame] = {"bed": "workpiece", "workpiece": "bed"}
 
@@ -148,12 +150,21 @@ def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Vector]:
 
 def _may_be(fitted: Fitted, one: MeasuredRun, set_up: Run) -> bool:
     """Whether a run may have been made by a set-up: of straightness where its instrument has read straightness, of a
-    displacement where it has read displacements, in this run as it is written or in another. A curve of straightness
-    that no other run tells would take up whatever is wrong.
+    displacement where it has read displacements, of the angle that an axis is turned by where it has read such, in this
+    run as it is written or in another. A curve of straightness that no other run tells would take up whatever is wrong.
     """
-    layout = fitted.state.layout
-    read = {layout.straightness[run.rows.index] for run in fitted.state.runs if run.noise_group == one.noise_group}
-    return is_straightness(layout.model, set_up, one.rows.positions) in read
+    model = fitted.state.layout.model
+    read = {_kind(model, run.rows.run, run.rows.positions)
+            for run in fitted.state.runs if run.noise_group == one.noise_group}  # fmt: skip
+    return _kind(model, set_up, one.rows.positions) in read
+
+
+def _kind(model: MachineModel, run: Run, positions: FloatArray) -> tuple[bool, bool]:
+    """Whether it reads a straightness, and whether the angle that a rotary axis is turned by."""
+    angle = False
+    if run.instrument == ANGLE and run.direction is not None:
+        angle = abs(float(np.array(run.direction) @ turned_about(model, run, positions))) > ABOUT
+    return is_straightness(model, run, positions), angle
 
 
 def _sensing(

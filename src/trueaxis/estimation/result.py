@@ -7,6 +7,7 @@ from typing import TypeVar
 import numpy as np
 
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.doubted_lengths import DoubtedLength
 from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.instrument_sizes import AsExpected
 from trueaxis.estimation.layout import Layout
@@ -40,13 +41,14 @@ class ReadingsLeft:
 
     residual: (n_readings,), mm; outliers: (n_readings,), those that are left out; misread: runs, by index, that are
     likelier with a fault undone, surest first; contradicting: those that contradict all others, without what
-    would explain it; freedom: degrees of freedom that are left.
+    would explain it; doubted: lengths of probes that are not what is stated; freedom: degrees of freedom that are left.
     """
 
     residual: FloatArray
     outliers: BoolArray
     misread: Mapping[int, Misread]
     contradicting: tuple[Contradiction, ...]
+    doubted: tuple[DoubtedLength, ...] = ()
     freedom: float
 
 

@@ -91,18 +91,28 @@ def measured_runs(observed: Observations) -> list[MeasuredRun]:
     return found
 
 
-def _frames(observed: Observations) -> list[int]:
-    """Of every run, in how many frames its measurement is written: those of a sphere cycle are rows along the bed and
-    along the workpiece, which hold the same noise. They are at the same positions, at the same time where there is one.
+def measurements(runs: Sequence[Run], run: IntArray, positions: FloatArray, time: FloatArray | None) -> list[Hashable]:
+    """Of every run, a key that runs share in which one measurement is written along different directions and frames: a
+    probe touches a sphere, and its centre is written along the bed and along the workpiece. They are at the same
+    positions, at the same time where there is one.
+
+    run: (n,), index of the run of each reading; positions: (n_axes, n), mm or deg; time: (n,), s, or None.
     """
-    time = None if observed.context is None else observed.context.time
-    of_key: dict[Hashable, set[str]] = {}
     keys: list[Hashable] = []
-    for index, run in enumerate(observed.runs):
+    for index, one in enumerate(runs):
         key: Hashable = index
-        if run.instrument == "probe" and (rows := observed.run == index).any():
-            at = observed.positions[:, rows].tobytes(), None if time is None else time[rows].tobytes()
-            key = run.device, run.session, run.target, run.reference, *at
+        if one.instrument == "probe" and (rows := run == index).any():
+            at = positions[:, rows].tobytes(), None if time is None else time[rows].tobytes()
+            key = one.device, one.session, one.target, one.reference, *at
         keys.append(key)
-        of_key.setdefault(keys[-1], set()).add(run.frame)
+    return keys
+
+
+def _frames(observed: Observations) -> list[int]:
+    """Of every run, in how many frames its measurement is written: both hold the same noise."""
+    time = None if observed.context is None else observed.context.time
+    keys = measurements(observed.runs, observed.run, observed.positions, time)
+    of_key: dict[Hashable, set[str]] = {}
+    for key, run in zip(keys, observed.runs, strict=True):
+        of_key.setdefault(key, set()).add(run.frame)
     return [len(of_key[key]) for key in keys]

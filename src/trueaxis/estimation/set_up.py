@@ -3,10 +3,11 @@
 from typing import cast
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.reading_geometry import ideal_displacement
+from trueaxis.measurement.reading_geometry import ideal_displacement, run_terms
 from trueaxis.measurement.reading_model import home_positions, measuring_frame, sensed_directions
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.view import view_of
@@ -28,6 +29,21 @@ def is_straightness(machine: IdentifiedMachine, run: Run, positions: FloatArray)
 def relative_motion(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
     """(3, n): ideal displacement of the target relative to the reference since home, mm, measuring frame."""
     return ideal_displacement(machine, run, positions, cast(FloatArray, home_positions(run, machine.axes)))
+
+
+def turned_about(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(3,): unit vector of the axis about which the target turns most against the reference, measuring frame; zero
+    where it does not.
+    """
+    turned = np.zeros((positions.shape[1], 3))
+    for term in run_terms(run):
+        origin = machine.view_ideal(term.view, positions, np.zeros((3, 1)))
+        arms = [machine.view_ideal(term.view, positions, unit[:, np.newaxis]) - origin for unit in np.eye(3)]
+        bodies = np.stack(arms, axis=1).transpose(2, 0, 1)
+        turned += term.sign * Rotation.from_matrix(bodies @ bodies[0].T).as_rotvec()
+    most = turned[int(np.linalg.norm(turned, axis=1).argmax())]
+    size = float(np.linalg.norm(most))
+    return most / size if size > STRAIGHT else np.zeros(3)
 
 
 def ball_of(run: Run) -> tuple[float, PointOn]:

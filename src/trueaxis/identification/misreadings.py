@@ -15,7 +15,7 @@ from trueaxis.identification.far_scales import as_scale, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
 from trueaxis.identification.stuck import stuck_runs
-from trueaxis.identification.tip_lengths import resting_on_length
+from trueaxis.identification.tip_lengths import doubted, resting_on_length
 from trueaxis.identification.tips import tip_notes
 from trueaxis.identification.words import READS, enumerated, in_digits
 
@@ -66,8 +66,8 @@ class Contradicting:
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *, prior: bool) -> FitQuality:
     """A misfit where runs are misread for sure, contradict the others by much, show the same again and again, are of a
-    ball bar whose zero or a laser whose scale is far off, or of a probe whose length would explain a large location
-    error: the values follow them, or what they contradict.
+    ball bar whose zero or a laser whose scale is far off, of a probe whose length would explain a large location error,
+    or is not as it is stated: the values follow them, or what they contradict.
 
     prior: whether one holds what the others do not tell; else it may be that which a run shows, and none contradicts.
     """
@@ -89,6 +89,10 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
     for resting in resting_on_length(observed, found):
         if resting.far:
             reasons, named = [*reasons, str(resting)], tuple(dict.fromkeys([*named, *resting.runs]))
+    for length in found.readings.doubted:
+        if length.log_odds > SURE:
+            runs = (observed.runs[index].id for index in length.runs)
+            reasons, named = [*reasons, doubted(observed, length)], tuple(dict.fromkeys([*named, *runs]))
     reason = "; ".join(filter(None, reasons))
     if not reason:
         return judged
@@ -99,7 +103,7 @@ def with_misread(judged: FitQuality, observed: Observations, found: Estimate, *,
 def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tuple[str, ...]:
     """Runs that may be misread, with the odds, and those that contradict the others but change little."""
     contradicting = _contradicting(observed, found)
-    little = () if contradicting is None or (contradicting.matter and prior) else (str(contradicting),)
+    little: tuple[str, ...] = () if contradicting is None or (contradicting.matter and prior) else (str(contradicting),)
     if contradicting is not None and not prior:
         named = enumerated(contradicting.runs[:MOST_RUNS])
         little = (
@@ -107,6 +111,11 @@ def misread_notes(observed: Observations, found: Estimate, *, prior: bool) -> tu
             "that they do not determine at zero, so that this is no proof of a wrong run: --prior spec judges it",
         )
     likelier = "that makes the readings {} times as likely, which is not enough to be sure"
+    little += tuple(
+        f"{doubted(observed, one)}: {likelier.format(in_digits(float(np.exp(one.log_odds))))}"
+        for one in found.readings.doubted
+        if one.log_odds <= SURE
+    )
     unsure = {index: one for index, one in found.readings.misread.items() if not one.sure}
     return little + tuple(
         f"{text}: {likelier.format(in_digits(float(np.exp(one.log_odds))))}"
@@ -142,16 +151,21 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
 
 
 def _who(observed: Observations, index: int, one: Misread) -> str:
-    """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser in session B`, of one fault."""
-    if len(one.together) > 1:
-        group, own = noise_groups(observed.runs)[index], {observed.runs[each].session for each in one.together}
-        every = {
-            run.session for run, name in zip(observed.runs, noise_groups(observed.runs), strict=True) if name == group
-        }
-        count = "both" if len(one.together) == 2 else f"all {len(one.together)}"
-        return f"{count} runs of {group}" + (f" in session {own.pop()}" if len(every) > len(own) == 1 else "")
-    among = (index,) if one.partner is None else (index, one.partner)
-    return f"run{'s' if len(among) > 1 else ''} {enumerated([observed.runs[each].id for each in among])}"
+    """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser in session B`, or along a line, of one
+    fault.
+    """
+    if len(one.together) < 2:
+        among = (index,) if one.partner is None else (index, one.partner)
+        return f"run{'s' if len(among) > 1 else ''} {enumerated([observed.runs[each].id for each in among])}"
+    groups, mine = noise_groups(observed.runs), [observed.runs[each] for each in one.together]
+    others = [run for run, group in zip(observed.runs, groups, strict=True) if group == groups[index]]
+    sessions, lines = {run.session for run in mine}, {run.line for run in mine}
+    which = "both" if len(mine) == 2 else f"all {len(mine)}"
+    if len({run.session for run in others}) > len(sessions) == 1:
+        return f"{which} runs of {groups[index]} in session {sessions.pop()}"
+    if len({run.line for run in others}) > len(lines) == 1:
+        return f"{which} runs of {groups[index]} along [{', '.join(f'{part:g}' for part in lines.pop() or ())}]"
+    return f"{which} runs of {groups[index]}"
 
 
 def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:

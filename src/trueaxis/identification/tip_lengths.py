@@ -1,10 +1,12 @@
-"""Location errors that a probe tells only as well as its length is known, which nobody has stated."""
+"""Lengths of probes: location errors that follow one which nobody has stated, and those that are not what is stated."""
 
 from dataclasses import dataclass
 
+from trueaxis.estimation.doubted_lengths import DoubtedLength
 from trueaxis.estimation.instruments import CLASSES, PROBE_LENGTH
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.identification.words import in_digits, some_of
 
 # mm per mm, from which on a location error is said to follow the length: other readings tell the smaller part of it
 FOLLOWS = 0.5
@@ -58,3 +60,17 @@ def resting_on_length(observed: Observations, found: Estimate) -> tuple[RestsOnL
                     runs = (*each[name].runs, *runs)
                 each[name] = RestsOnLength(location=name, runs=runs, value=value, longer=-value / follows)
     return tuple(sorted(each.values(), key=lambda one: -abs(one.longer)))
+
+
+def doubted(observed: Observations, one: DoubtedLength) -> str:
+    """That a probe is not as long as it is stated."""
+    first = observed.runs[one.runs[0]]
+    named = some_of([observed.runs[index].id for index in one.runs])
+    off = "longer" if one.longer > 0.0 else "shorter"
+    than = f"{in_digits(abs(one.longer) * 1e3)} um (u {in_digits(one.u * 1e3)}) {off} than setup.toml says"
+    table = first.device.id if first.device else ""
+    return (
+        f"{named}: the readings are of a probe {than}, where [device.{table}] states its length to "
+        f"{one.stated * 1e3:g} um: errors of the rotary axes have taken up the rest (is the z of the point on the tool "
+        "right? Else correct length_u_um, or leave it out: the length is then found from the readings)"
+    )

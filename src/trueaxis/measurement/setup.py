@@ -10,6 +10,7 @@ from trueaxis.view import Carrier, Frame
 
 Vector = tuple[float, float, float]
 FILE_NAME = "setup.toml"
+DECIMALS = 6  # of a unit vector, to which two of them are one
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,16 @@ class Run:
     device: Device | None = None
     session: str = ""
     normalised: float | None = None
+
+    @property
+    def line(self) -> Vector | None:
+        """The direction or its opposite: the same of runs that sense along one line, either way."""
+        if self.direction is None:
+            return None
+        rounded = [round(part, DECIMALS) + 0.0 for part in self.direction]
+        sign = next((1.0 if part > 0.0 else -1.0 for part in rounded if part), 1.0)
+        x, y, z = (sign * part + 0.0 for part in rounded)
+        return x, y, z
 
 
 @dataclass(frozen=True, slots=True)
