@@ -33,7 +33,7 @@ from trueaxis.evaluation.positioning_test import evaluate
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.unit import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
-from trueaxis.instrument_files.data_run import data_run
+from trueaxis.instrument_files.data_run import ToolView, data_run
 from trueaxis.instrument_files.read import positioning_test, read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Faults, InputError
@@ -151,7 +151,7 @@ def _instrument(path: Path, machine: Machine) -> object:
     unit = "urad" if path.suffix == ".rta" else "um"
     keys = UserKeys(given=given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
     sources = read_instrument_file(path, None, keys)
-    runs = [data_run(source, machine, keys, lambda _, point: point) for source in sources]
+    runs = [data_run(source, machine, keys, ToolView(lambda _, point: point)) for source in sources]
     if faults := [*keys.faults, *(question.fault for question in keys.questions)]:
         raise InputError(faults)
     ready = renamed(tuple(run for run in runs if run is not None))

@@ -215,3 +215,44 @@ def test_runs_whose_readings_are_all_too_large_are_one_fault(tmp_path: Path) -> 
     (fault,) = faults(data)
     assert "run line, seq 2, 3, 4, 5, 6 and 13 more: up to 7.6 mm" in fault.problem
     assert fault.problem.endswith("likewise again")
+
+
+def test_a_faulty_run_that_is_left_out_refuses_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """--runs is how others are used until it is mended: it was refused with the run that it left out."""
+    data = tmp_path / "data"
+    bar(data, y=-250.0)
+    both = LASER + BAR[BAR.index("[[run]]") :].format(y=-250.0, length=200.0)
+    (data / "setup.toml").write_text(both)
+    rows = [f"line,{k},{20 * k},0,0,{1e-4 * k!r}" for k in range(20)]
+    (data / "readings.csv").write_text((data / "readings.csv").read_text() + "\n".join(rows) + "\n")
+    words = ["identify", MACHINE, "--data", str(data), "--out", str(tmp_path / "e.json"), *KERNELS]
+    assert main(words) == 2
+    assert "run bar" in capsys.readouterr().err
+    assert main([*words, "--runs", "line"]) == 0
+
+
+WARM = "run,seq,X,Y,Z,reading,temperature_c\n"
+
+
+@pytest.mark.parametrize(("warmer", "said"), [(3.0, True), (0.4, False)])
+def test_runs_at_other_temperatures_are_told(
+    tmp_path: Path, warmer: float, said: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing in the model grows with temperature, and nothing was said of a second day that was 3 K warmer."""
+    data = line(tmp_path / "data", 1e-4)
+    (data / "setup.toml").write_text(LASER + LASER[LASER.index("[[run]]") :].replace("line", "again"))
+    at = {"line": 20.0, "again": 20.0 + warmer}
+    rows = [f"{run},{k},{20 * k},0,0,{1e-4 * k!r},{at[run]}" for run in at for k in range(20)]
+    (data / "readings.csv").write_text(WARM + "\n".join(rows) + "\n")
+    main(["identify", MACHINE, "--data", str(data), "--out", str(tmp_path / "e.json"), *KERNELS])
+    shown = " ".join(capsys.readouterr().out.split())
+    assert ("were taken at 20.0 degC (line) to 23.0 degC (again)" in shown) is said
+
+
+def test_a_column_of_decimal_commas_is_one_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data = line(tmp_path / "data", 1e-4)
+    rows = [f'line,{k},{20 * k},0,0,"0,{k + 1}"' for k in range(20)]
+    (data / "readings.csv").write_text("run,seq,X,Y,Z,reading\n" + "\n".join(rows) + "\n")
+    assert main(["identify", MACHINE, "--data", str(data), "--out", str(tmp_path / "e.json"), *KERNELS]) == 2
+    (said,) = capsys.readouterr().err.splitlines()
+    assert '"0,1" has a decimal comma, and so have 19 more cells of the column' in said

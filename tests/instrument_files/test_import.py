@@ -18,7 +18,9 @@ from tests.real_data import linear_axis_data
 from trueaxis.cli.main import main
 from trueaxis.measurement.data import MeasuredData, read_data
 from trueaxis.measurement.instrument_kinds import ARM
+from trueaxis.measurement.reading_geometry import ideal_displacement
 from trueaxis.measurement.setup import Device, PointOn, Run, run_table
+from trueaxis.model.model import load_model
 
 DMU = machine_at(DMU60P)
 LONG_AXIS = [0.0, 100.0, 200.0, 300.0, 400.0, 500.0]
@@ -277,6 +279,41 @@ def test_directions_along_a_diagonal_are_those_of_its_axes(tmp_path: Path, first
     np.testing.assert_array_equal(data.readings.directions[0], [1] * 4 + [-1] * 4)
     np.testing.assert_array_equal(data.readings.directions[1], [-1] * 4 + [1] * 4)
     assert not data.readings.directions[2].any()
+
+
+@pytest.mark.parametrize(("axis", "carried"), [("X", "tool"), ("Y", "workpiece")])
+@pytest.mark.parametrize("other_way_round", [False, True])
+def test_readings_count_as_commands_whatever_end_the_target_is(
+    tmp_path: Path, axis: str, carried: str, other_way_round: bool
+) -> None:
+    """A retroreflector in the spindle, seen from the table: the table goes away from it, and the sign was reversed."""
+    (tmp_path / "line.csv").write_text(f"{axis} [mm],deviation [um]\n0,0\n100,1\n200,3\n")
+    ends = ["target", "reference"] if not other_way_round else ["reference", "target"]
+    still = {"tool": "workpiece", "workpiece": "tool"}[carried]
+    words = [f"{ends[0]}={carried}", f"{ends[1]}={still}", "target.point=0,0,-80", "reference.point=10,20,30"]
+    rest = [f"at.{name}=100" for name in "XYZ" if name != axis]
+    data = imported(tmp_path / "data", tmp_path / "line.csv", "--map", *words, *rest)
+    (run,) = data.setup.runs
+    home = np.array([[run.home[name]] for name in "XYZ"])
+    model = load_model(DMU60P, None, KERNELS)
+    along = np.array(run.direction) @ ideal_displacement(model, run, data.readings.positions, home)
+    np.testing.assert_allclose(along, [0.0, 100.0, 200.0], atol=1e-9)
+
+
+def test_the_ball_stands_where_the_dimensions_of_the_machine_have_it(tmp_path: Path) -> None:
+    (tmp_path / "circle.csv").write_text(BAR)
+    words = ["--map", "length=150", "plane=XY", "at.X=270", "at.Y=350", "at.Z=150", "target.point=0,0,-20"]
+    known = tmp_path / "known.json"
+    known.write_text(
+        '{"schema": 1, "machine": "dmu60p", "parameters": {"q_wx": 3.0, "q_Tz": 7.0}, "motion_errors": {}}'
+    )
+    without = imported(tmp_path / "a", tmp_path / "circle.csv", *words)
+    given = imported(tmp_path / "b", tmp_path / "circle.csv", *words, "--known", known)
+    off = np.subtract(given.setup.runs[0].reference.point, without.setup.runs[0].reference.point)
+    np.testing.assert_allclose(off, [-3.0, 0.0, 7.0], atol=1e-9)
+    said = "q_wx, q_wy, q_wz, q_Tx, q_Ty, q_Tz of the spec taken as 0 (--known gives them)"
+    assert said in (tmp_path / "a" / "setup.toml").read_text()
+    assert "q_wx" not in (tmp_path / "b" / "setup.toml").read_text()
 
 
 def test_a_reading_without_unit_is_not_guessed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

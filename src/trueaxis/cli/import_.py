@@ -10,11 +10,11 @@ from trueaxis.cli.arguments import key_value
 from trueaxis.instrument_files.read import FORMATS
 from trueaxis.instrument_files.user_keys import Question
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.input_files import gathering
 from trueaxis.io.safe_text import shown
-from trueaxis.jobs.import_readings import faults_of_out, imported
+from trueaxis.jobs.import_readings import faults_of_out, imported, tool_view
 from trueaxis.machine import read_machine
-from trueaxis.measurement.instrument_run import FloatArray
-from trueaxis.model.model import load_model
+from trueaxis.model.model import load_errors, load_model
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -46,13 +46,17 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--kernels", type=Path, default=Path("generated"), metavar="DIR",
         help="folder of derived kernels, for the position of the workpiece ball of a ball bar (%(default)s)",
     )  # fmt: skip
+    parser.add_argument(
+        "--known", type=Path, metavar="E.json",
+        help="error values that have the dimensions which the spec names, for the position of that ball",
+    )  # fmt: skip
     parser.add_argument("--replace", action="store_true", help="replace other data that the folder holds")
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Read, ask, write; raises InputError with every fault of every file."""
-    inputs: dict[str, Path | None] = {"--machine": args.machine}
+    inputs: dict[str, Path | None] = {"--machine": args.machine, "--known": args.known}
     inputs |= {f"FILE {number}": path for number, path in enumerate(args.files, start=1)}
     found = faults_of_out(args.out, inputs, args.kernels)
     machine = read_machine(args.machine)
@@ -62,9 +66,11 @@ def run(args: argparse.Namespace) -> int:
             found.append(Fault("--map", shown(key), "is given more than once", "one value for each key"))
     person = sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()
 
-    def view(positions: FloatArray, point: FloatArray) -> FloatArray:
-        return load_model(args.machine, None, args.kernels).ideal(positions, point)
-
+    known = None
+    if args.known is not None:
+        with gathering(found):
+            known = load_errors(args.known, machine)
+    view = tool_view(machine, known, lambda: load_model(args.machine, args.known, args.kernels))
     ask = _answer if person else None
     made = imported(
         args.files, machine, args.out, view, given, format=args.format, found=found, ask=ask, replace=args.replace

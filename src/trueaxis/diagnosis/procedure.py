@@ -22,6 +22,7 @@ from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_
 from trueaxis.diagnosis.judging.scale_off import less_scale_off
 from trueaxis.diagnosis.judging.stale import Changes
 from trueaxis.diagnosis.null_model.base import given_by_chance
+from trueaxis.diagnosis.null_model.frames import written_once
 from trueaxis.diagnosis.null_model.freedom import freedom_of
 from trueaxis.diagnosis.null_model.null import Null, again, balls_anywhere, rougher, what_is_free
 from trueaxis.diagnosis.null_model.outliers import left_out, null_of, spoilt_beside
@@ -68,7 +69,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     if model.errors.covariance is not None and options.covariance is None:
         raise ValueError(f"the values are as uncertain as {model.errors.covariance.file} has it: see load_uncertainty")
     options.progress("reading")
-    rows = rows_of(smoothed(data))
+    rows = written_once(model, rows_of(smoothed(data)))
     if rows.size == 0:
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
@@ -291,10 +292,6 @@ def _given(null: Null, model: MachineModel, options: DiagnoseOptions) -> Null:
 
 
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf], share: float = AGAIN) -> bool:
-    pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
-    pairs += [(_whole(one), _whole(other)) for one, other in zip(before, after, strict=True)]
-    return any(abs(one - other) > share * max(one, other) for one, other in pairs)
-
-
-def _whole(one: NoiseOf) -> float:
-    return one.sigma + one.settles + one.wanders
+    each = [[(one.sigma, one.sigma + one.settles + one.wanders) for one in noises] for noises in (before, after)]
+    one, other = (np.array(sizes).reshape(-1) for sizes in each)
+    return bool((np.abs(one - other) > share * np.maximum(one, other)).any())

@@ -5,7 +5,7 @@ what its instrument may be off by. A contradiction of this size is a slip of wri
 would explain how far the balls of a ball bar are apart is named: a dimension, the place of a ball, the length.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import cast
@@ -41,10 +41,15 @@ OFF = 5.0  # mm, what is left of distances where a cause explains them: a ball i
 FARTHEST = 500.0  # mm from what is given, from where a dimension is sought as well
 
 
-def setup_faults(model: MachineModel, data: MeasuredData, folder: Path) -> list[Fault]:
-    """Runs whose set-up or readings are not believable on the machine; dimensions are those of the model's values."""
+def setup_faults(model: MachineModel, data: MeasuredData, folder: Path, only: Collection[str] = ()) -> list[Fault]:
+    """Runs whose set-up or readings are not believable on the machine; dimensions are those of the model's values.
+
+    only: of these runs, by id, if any are named.
+    """
     wrong: list[Wrong] = []
     for index, run in enumerate(data.setup.runs):
+        if only and run.id not in only:
+            continue
         rows = data.readings.of_run(index)
         if rows.size and (found := _wrong(model, run, data.readings, rows, folder)) is not None:
             wrong.append(found)

@@ -19,6 +19,7 @@ from trueaxis.identification.far_scales import as_beam, far_scales
 from trueaxis.identification.far_zeros import far_zeros
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
+from trueaxis.identification.temperatures import temperature_notes
 from trueaxis.identification.tip_lengths import resting_on_length
 from trueaxis.identification.words import enumerated, some_of
 from trueaxis.measurement.data import MeasuredData
@@ -133,25 +134,32 @@ def estimate_notes(
                 f"[prior] says {key} = {size:g}, but the readings are {_times(found.likelier[kind])} as likely with "
                 f"errors of about {size * factor:.3g} {unit}, which the estimate takes{doubt if factor > 1.0 else ''}"
             )
-    if found.readings.outliers.any():
-        rows = np.flatnonzero(found.readings.outliers)
-        seq = rows if observed.seq is None else observed.seq[rows]
-        named = [
-            f"{observed.runs[index].id} seq {number}"
-            for index, number in zip(observed.run[rows].tolist(), seq.tolist(), strict=True)
-        ]
-        rest = f" and {len(named) - MOST_OUTLIERS} more" if len(named) > MOST_OUTLIERS else ""
-        notes.append(
-            f"{rows.size} of {found.readings.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
-            f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
-            f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
-        )
     return (
         *misread_notes(observed, found, prior=prior),
         *_of_instruments(observed, found),
         *notes,
+        *_outliers(observed, found),
+        *temperature_notes(model, observed),
         *(_rough(found) if prior else ()),
         *_alignment(observed, found),
+    )
+
+
+def _outliers(observed: Observations, found: Estimate) -> Iterator[str]:
+    """Which readings are left out."""
+    rows = np.flatnonzero(found.readings.outliers)
+    if not rows.size:
+        return
+    seq = rows if observed.seq is None else observed.seq[rows]
+    named = [
+        f"{observed.runs[index].id} seq {number}"
+        for index, number in zip(observed.run[rows].tolist(), seq.tolist(), strict=True)
+    ]
+    rest = f" and {len(named) - MOST_OUTLIERS} more" if len(named) > MOST_OUTLIERS else ""
+    yield (
+        f"{rows.size} of {found.readings.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
+        f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
+        f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
     )
 
 

@@ -1,4 +1,4 @@
-"""What files of instruments leave unsaid: the unit and the axis of angles, the temperature of readings, passes of rows.
+"""What files of instruments leave unsaid: unit of angles, direction of a run, temperature of readings, passes of rows.
 
 A laser measures the way that an axis goes as it is; a warm screw goes too far by its coefficient of expansion.
 Instruments may have taken that off already, by a coefficient of their own: it is added again before the axis's own is
@@ -25,6 +25,7 @@ UNITS = {"rad": 1.0, "mrad": 1e-3, "urad": 1e-6, "arcsec": math.radians(1.0 / 36
 # rad: angular errors of linear axes and positions of rotary ones are off by some ten to hundred microradians. What is
 # beyond a milliradian, in a file of which nobody has said the unit, is milliradians taken for radians.
 BELIEVED = 1e-3
+SMALLEST = 1e-9  # length of a direction that can be made a unit vector
 PER_KELVIN = 1e-6  # of what the keys are in
 ONE_WAY = "passes that begin where the one before began come from beyond their first target, as a test from one side"
 FEWEST_OF_PASS = 3  # rows, to tell a pass that is repeated from targets in no order
@@ -61,7 +62,7 @@ def directions_of(along: DirectionArray, positions: FloatArray, mover: int | Non
     return found
 
 
-def about(machine: Machine, axis: str | None) -> tuple[str, str, Vector | None]:
+def _about(machine: Machine, axis: str | None) -> tuple[str, str, Vector | None]:
     """Meaning, example and default of `direction`, the axis of the rotation; an axis that turns has a default."""
     meaning = "about which axis it reads the rotation, right-handed, in `frame` (pitch and yaw are about others)"
     if axis is None or axis in LINEAR:
@@ -69,6 +70,28 @@ def about(machine: Machine, axis: str | None) -> tuple[str, str, Vector | None]:
     sense = float(machine.mover(axis).sense)
     letter = "ABC".index(axis)
     return meaning, "0,0,1", cast(Vector, tuple(sense if k == letter else 0.0 for k in range(3)))
+
+
+def sensed(machine: Machine, own: RunKeys, axis: str | None, *, angle: bool, backwards: bool) -> Vector | None:
+    """The direction of a run. By default along the axis, so that readings grow with commands.
+
+    backwards: whether the target, seen from the reference, goes the other way than what the axis carries.
+    """
+    default: Vector | None = None
+    meaning, right = "the direction in which it reads positive, in `frame`", "1,0,0"
+    if angle:
+        meaning, right, default = _about(machine, axis)
+    elif axis is not None and axis in LINEAR:
+        sense = float(machine.mover(axis).sense) * (-1.0 if backwards else 1.0)
+        default = cast(Vector, tuple(sense if name == axis else 0.0 for name in LINEAR))
+    given = own.vector("direction", meaning, right, default=default)
+    if given is None:
+        return None
+    size = math.hypot(*given)
+    if not size > SMALLEST:
+        own.wrong("direction", own.said("direction") or "", "three numbers that are not all zero")
+        return None
+    return cast(Vector, tuple(value / size for value in given))
 
 
 def normalised(

@@ -1,13 +1,12 @@
 """From a run of an instrument file, and what the user says beside it, to a run of a data folder."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 
-from trueaxis.instrument_files.conventions import about, directions_of, in_angles, normalised
+from trueaxis.instrument_files.conventions import directions_of, in_angles, normalised, sensed
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.safe_text import escaped
@@ -23,10 +22,16 @@ from trueaxis.view import Carrier, Frame
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
 SLANTED = 1e-3  # by which the cosine of a direction along an axis may be less than 1
 MOVING_OPTIC = "where the moving optic or sensor is, in the frame of {}, mm"
-SMALLEST = 1e-9  # length of a direction that can be made a unit vector
 
-# the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm
-ToolView = Callable[[FloatArray, FloatArray], FloatArray]
+
+@dataclass(frozen=True, slots=True)
+class ToolView:
+    """at: the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm;
+    zero: dimensions that the spec names and nobody has given, which are taken as zero.
+    """
+
+    at: Callable[[FloatArray, FloatArray], FloatArray]
+    zero: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -86,7 +91,8 @@ def _along(
     on = cast("Carrier | None", own.text("target", "", "tool", among=("tool", "workpiece"), default=side))
     frame_of = cast("Frame | None", own.text("frame", "", "bed", among=("bed", "workpiece"), default="bed"))
     angle = instrument == ANGLE
-    direction = _direction(machine, own, mover, angle=angle)
+    backwards = on != side and own.said("reference") == side  # what stands still, seen from what moves
+    direction = sensed(machine, own, mover, angle=angle, backwards=backwards)
     meaning = MOVING_OPTIC.format(f"the {on or side}")
     target = (0.0, 0.0, 0.0) if angle else own.vector("target.point", meaning, "X,Y,Z")  # all points turn alike
     reference = _reference(own, angle=angle)
@@ -133,8 +139,8 @@ def _ball_bar(
             positions[machine.axes.index(axis)] += length * of(source.angle)
     tool = own.vector("target.point", "where the ball on the tool is, in the frame of the tool, mm", "0,0,0")
     default: Vector | None = None
-    if plane is not None and tool is not None:
-        at = view(centre, np.array(tool)[:, np.newaxis])[:, 0]
+    if plane is not None and tool is not None and own.said("reference.point") is None:
+        at = view.at(centre, np.array(tool)[:, np.newaxis])[:, 0]
         default = cast(Vector, tuple(float(round(value, 9)) for value in at))
     if tool is None or (plane is None and not source.positions):
         return None  # where the other ball is may follow from these
@@ -148,6 +154,8 @@ def _ball_bar(
     )  # fmt: skip
     reading = source.reading - length if source.whole_length else source.reading
     remarks = source.assumed
+    if own.sources.get("reference.point") == "default" and view.zero:
+        remarks += (f"the ball stands there with {', '.join(view.zero)} of the spec taken as 0 (--known gives them)",)
     if plane is not None:
         first, second = PLANES[plane]
         remarks += (f"angles count from {first}+ to {second}+ in commanded positions",)
@@ -187,24 +195,6 @@ def _carries_tool(machine: Machine, axis: str) -> bool:
             return True
         number = body.lower
     return False
-
-
-def _direction(machine: Machine, own: RunKeys, axis: str | None, *, angle: bool) -> Vector | None:
-    default: Vector | None = None
-    meaning, right = "the direction in which it reads positive, in `frame`", "1,0,0"
-    if angle:
-        meaning, right, default = about(machine, axis)
-    elif axis is not None and axis in LINEAR:
-        sense = float(machine.mover(axis).sense)
-        default = cast(Vector, tuple(sense if name == axis else 0.0 for name in LINEAR))
-    given = own.vector("direction", meaning, right, default=default)
-    if given is None:
-        return None
-    size = math.hypot(*given)
-    if not size > SMALLEST:
-        own.wrong("direction", own.said("direction") or "", "three numbers that are not all zero")
-        return None
-    return cast(Vector, tuple(value / size for value in given))
 
 
 def _reference(own: RunKeys, *, angle: bool) -> PointOn | None:

@@ -103,7 +103,7 @@ def identify(
         raise InputError(absent)
     values = None if known is None else known.values
     warn_of_misfit(known)
-    measured = believed(model, data, values)
+    measured = believed(model, data, values, runs)
     observed = observations(str(data.folder), measured.setup.runs, measured.readings, runs)
     if method == "global":
         found = identify_estimated(model, observed, _options(choice, values))
@@ -182,13 +182,16 @@ def faults_of_choice(choice: MethodChoice, spelled: Spelled = argument) -> list[
     return found
 
 
-def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -> MeasuredData:
+def believed(
+    model: MachineModel, data: DataFolder, known: ErrorValues | None, runs: Sequence[str] = ()
+) -> MeasuredData:
     """The readings of the machine without compensation, whatever was active on the control.
 
-    Raises InputError where set-up or readings contradict the machine, whose dimensions are those known.
+    runs: ids of those that are to be used, else all. Raises InputError where their set-up or readings contradict the
+    machine, whose dimensions are those known.
     """
     placed = model.with_values(known or ErrorValues(machine=model.name))
-    if faults := setup_faults(placed, data.data, data.folder):
+    if faults := setup_faults(placed, data.data, data.folder, runs):
         raise InputError(faults)
     return data.data if data.active is None else uncompensated(model, data.data, data.active)
 

@@ -25,7 +25,8 @@ from trueaxis.jobs.typed import AnyPath, typed
 from trueaxis.machine import Machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
+from trueaxis.measurement.instrument_run import InstrumentRun
+from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
 COMPENSATION = "compensation"
@@ -93,7 +94,7 @@ def import_readings(
     format: of all files, "rtl", "iso230-2", "ballbar-csv" or "csv"; None: by their content. keys: what the files
     do not say, such as {"axis": "X", "target.point": (0, 0, -150), "X1:at.Y": 200}, mm and deg, for all runs or as
     RUN:KEY for one; docs/import.md lists them. replace: whether other data that `out` holds may be lost. machine: with
-    its kernels (`load_model`) where a ball bar is among them.
+    its kernels (`load_model`) where a ball bar is among them, and with values of the dimensions that its spec names.
     Raises InputError with every fault of every file and what is missing; ValueError for arguments of another form.
     """
     if format is not None and format not in get_args(Format):
@@ -104,15 +105,27 @@ def import_readings(
         raise ValueError("files: expected a file or several; given none")
     given = {key: key_text(key, value) for key, value in (keys or {}).items()}
 
-    def view(positions: FloatArray, point: FloatArray) -> FloatArray:
+    def model() -> MachineModel:
         if not isinstance(machine, MachineModel):
             raise ValueError("machine: expected a model (load_model), for where the ball stands; given a machine alone")
-        return machine.ideal(positions, point)
+        return machine
 
+    errors = machine.errors if isinstance(machine, MachineModel) else None
     inputs = {"the spec": spec.source, **{f"file {number}": path for number, path in enumerate(paths, 1)}}
     kernels = kernels_of(machine) if isinstance(machine, MachineModel) else None
     found = faults_of_out(Path(out), inputs, kernels)
-    return imported(paths, spec, Path(out), view, given, format=format, found=found, replace=replace)
+    return imported(
+        paths, spec, Path(out), tool_view(spec, errors, model), given, format=format, found=found, replace=replace
+    )
+
+
+def tool_view(machine: Machine, errors: ErrorValues | None, model: Callable[[], MachineModel]) -> ToolView:
+    """Where points of the tool are on the workpiece. model: is asked for where a file does not say where a ball stands;
+    errors: its values.
+    """
+    given = () if errors is None else errors.parameters
+    zero = tuple(name for name in machine.dimensions if name not in given)
+    return ToolView(lambda positions, point: model().ideal(positions, point), zero)
 
 
 def key_text(key: str, value: KeyValue) -> str:

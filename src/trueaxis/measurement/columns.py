@@ -17,6 +17,7 @@ IntArray = npt.NDArray[np.int64]
 
 SAME = 3  # cells for each text that is wrong: from there on few slips of whoever wrote the file
 MOST_NAMED = 5  # of the other lines
+DECIMAL_COMMA = r"^[+-]?\d*,\d+$"
 LONGEST_SHOWN = 40  # characters of a cell in a message
 AXIS_LETTERS = ("X", "Y", "Z", "A", "B", "C")
 
@@ -48,10 +49,12 @@ def check_columns(
 def numbers(table: Table, name: str, faults: Faults, *, may_be_empty: bool = False) -> FloatArray:
     """A column as finite numbers, (n,), NaN where a cell is empty or wrong; wrong cells are noted."""
     column = table.frame[name]
+    commas = np.zeros(len(column), dtype=bool)
     if column.dtype == pl.String:
         text = column.str.strip_chars().fill_null("")
         empty = (text == "").to_numpy()
         cast = text.cast(pl.Float64, strict=False)
+        commas = text.str.contains(DECIMAL_COMMA).to_numpy()
     elif column.dtype.is_numeric() or column.dtype == pl.Null:
         empty = column.is_null().to_numpy()
         cast = column.cast(pl.Float64, strict=False)
@@ -61,7 +64,12 @@ def numbers(table: Table, name: str, faults: Faults, *, may_be_empty: bool = Fal
     unread = cast.is_null().to_numpy() & ~empty
     values = np.array(cast.fill_null(np.nan), dtype=np.float64)
     infinite = ~np.isfinite(values) & ~empty & ~unread
-    note(table, name, unread, faults, "is not a number")
+    note(table, name, unread & ~commas, faults, "is not a number")
+    if commas.any():
+        first = int(np.flatnonzero(commas)[0])
+        also = f", and so have {commas.sum() - 1} more cells of the column" if commas.sum() > 1 else ""
+        problem = f"{_quoted(column[first])}has a decimal comma{also}"
+        faults.add(table.place(first, name), problem, "decimal points; the command import reads tables with commas")
     note(table, name, infinite, faults, "is not a finite number")
     if not may_be_empty:
         note(table, name, empty, faults, "is empty", remedy="a number")

@@ -1,6 +1,6 @@
 """The readings that a diagnosis works on: sorted by run and order, each run one stretch of rows."""
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from trueaxis.diagnosis.null_model.temperature import assumed
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
-from trueaxis.estimation.runs import measurements, noise_groups
+from trueaxis.estimation.runs import noise_groups
 from trueaxis.estimation.set_up_anew import set_ups, taken_runs
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.data import MeasuredData
@@ -18,7 +18,6 @@ from trueaxis.model.context import Context
 
 REACH = 2e-3  # mm or deg, that an axis goes beyond a reversal before all of its play is taken up: a few micrometres
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
-DIRECTIONS = 3  # of a place
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -87,9 +86,7 @@ class Rows:
 def rows_of(data: MeasuredData) -> Rows:
     """The readings taken; plan rows, and rows in which a moving axis has come from nowhere, are left out.
 
-    So are samples of a ball bar that are so near to a reversal of an axis that their direction is anybody's choice, and
-    rows along the bed of what is written along the workpiece, too: they hold no other noise, which a noise that is
-    estimated would take for none at all.
+    So are samples of a ball bar that are so near to a reversal of an axis that their direction is anybody's choice.
     """
     readings, runs = data.readings, data.setup.runs
     taken = np.flatnonzero(~readings.planned)
@@ -109,7 +106,6 @@ def rows_of(data: MeasuredData) -> Rows:
             axes = [axis for axis, moves in zip(readings.axes, moving, strict=True) if moves]
             keep[mine] &= ~beside_reversals(axes, directions[moving, mine], positions[moving, mine], REACH)
     time = None if readings.time is None else readings.time[order]
-    keep &= ~np.isin(run, _written_twice(runs, run, positions, time))
     setup = _setups(runs, run, positions)[run]
     everything = Rows(
         runs=tuple(runs),
@@ -136,27 +132,6 @@ def plane_of(rows: Rows, mine: BoolArray) -> str:
     """The axes that move in some rows."""
     span = np.ptp(rows.positions[:, mine], axis=1)
     return "".join(name for name, way in zip(rows.axes, span, strict=True) if way > 10.0**-DECIMALS)
-
-
-def _written_twice(runs: Sequence[Run], run: IntArray, positions: FloatArray, time: FloatArray | None) -> list[int]:
-    """Runs along the bed whose measurement is written along three directions of the workpiece as well."""
-    of_place: dict[Hashable, list[int]] = {}
-    along: dict[Hashable, list[int]] = {}
-    at_times = measurements(runs, run, positions, time)
-    for index, key in enumerate(measurements(runs, run, positions, None)):
-        if runs[index].frame == "workpiece":
-            of_place.setdefault(key, []).append(index)
-            along.setdefault(at_times[index], []).append(index)
-    whole = {
-        key
-        for key, members in of_place.items()
-        if np.linalg.matrix_rank(np.array([runs[one].direction or np.zeros(3) for one in members])) == DIRECTIONS
-    }
-    return [
-        index
-        for index, key in enumerate(measurements(runs, run, positions, None))
-        if runs[index].frame == "bed" and key in whole and at_times[index] in along
-    ]
 
 
 def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArray:
