@@ -70,7 +70,7 @@ def test_a_stylus_of_uncertain_length_is_none_of_the_machine(
 
 
 @pytest.mark.parametrize(("length_u", "doubted"), [(0.01, True), (FAR, False)])
-def test_a_length_that_is_not_what_is_stated_is_named(
+def test_a_length_that_is_a_wrong_number_is_named(
     five_axes: World, truth: Truth, length_u: float, doubted: bool
 ) -> None:
     """1 mm more than stated to 10 um became 1 mm of errors of a swivelling head, and nothing was said."""

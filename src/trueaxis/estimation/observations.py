@@ -10,7 +10,7 @@ from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.context import context_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.readings import DirectionArray, IntArray, Readings
-from trueaxis.measurement.setup import Run, Vector
+from trueaxis.measurement.setup import Device, Run, Vector
 from trueaxis.model.context import Context
 from trueaxis.view import Frame
 
@@ -64,12 +64,11 @@ class Observations:
         runs = [replace(run, frame=frame) if k in indices else run for k, run in enumerate(self.runs)]
         return replace(self, runs=tuple(runs))
 
-    def unstated(self, indices: Collection[int]) -> "Observations":
-        """As if no device's table stated how well lengths of some runs are known."""
-        known = [replace(run.device, length_u=None) if run.device else None for run in self.runs]
-        devices = zip(self.runs, known, strict=True)
-        runs = [replace(run, device=one) if k in indices else run for k, (run, one) in enumerate(devices)]
-        return replace(self, runs=tuple(runs))
+    def of_unknown_length(self, indices: Collection[int], u: float) -> "Observations":
+        """As if the lengths of some runs were known to u, mm, whatever is stated."""
+        devices = [replace(run.device or Device(id=""), length_u=u) for run in self.runs]
+        pairs = enumerate(zip(self.runs, devices, strict=True))
+        return replace(self, runs=tuple(replace(run, device=one) if k in indices else run for k, (run, one) in pairs))
 
 
 def observations(source: str, runs: Sequence[Run], readings: Readings, only: Collection[str] = ()) -> Observations:

@@ -68,9 +68,12 @@ def doubted(observed: Observations, one: DoubtedLength) -> str:
     named = some_of([observed.runs[index].id for index in one.runs])
     off = "longer" if one.longer > 0.0 else "shorter"
     than = f"{in_digits(abs(one.longer) * 1e3)} um (u {in_digits(one.u * 1e3)}) {off} than setup.toml says"
-    table = first.device.id if first.device else ""
+    said, remedy = "its length is taken as known to", "Else correct it"
+    if first.device is not None and first.device.length_u is not None:
+        said = f"[device.{first.device.id}] states its length to"
+        remedy = "Else correct length_u_um, or leave it out"
     return (
-        f"{named}: the readings are of a probe {than}, where [device.{table}] states its length to "
-        f"{one.stated * 1e3:g} um: errors of the rotary axes have taken up the rest (is the z of the point on the tool "
-        "right? Else correct length_u_um, or leave it out: the length is then found from the readings)"
+        f"{named}: the readings are of a probe {than}, where {said} {one.known * 1e3:g} um: errors of the rotary axes "
+        f"have taken up the rest (is the z of the point on the tool right? {remedy}: "
+        "lengths are then found from the readings)"
     )
