@@ -84,8 +84,10 @@ class _Rows:
     beside: float
 
 
-def contradictions(fitted: Fitted, posterior: Posterior, continued: Continued, sure: float) -> list[Contradiction]:
-    """Runs that contradict the others, one after the other; empty where more than MOST of all runs do.
+def contradictions(
+    fitted: Fitted, posterior: Posterior, continued: Continued, sure: float
+) -> list[Contradiction] | None:
+    """Runs that contradict the others, one after the other; None where more than MOST of all do: the model does.
 
     posterior: of the fitted state; continued: goes on from it (of 10 suspects that contradicted, an estimate from the
     beginning, at three times the cost, found a logarithm at most 6 % larger); sure: minus the logarithm of the
@@ -109,7 +111,7 @@ def contradictions(fitted: Fitted, posterior: Posterior, continued: Continued, s
         given_up |= set(wrong)
         groups = [one for one in groups if not given_up & set(one)]
         fitted, posterior = without, without.posterior()
-    return []
+    return None
 
 
 def widest(without: Fitted) -> tuple[Fitted, Posterior]:

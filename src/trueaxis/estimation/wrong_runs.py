@@ -56,11 +56,12 @@ def _fewest_mistakes(fitted: Fitted, posterior: Posterior, continued: Continued,
     Sound runs may be likelier with some fault undone where others are wrong that have none of the known faults.
     """
     found = misread_runs(fitted, posterior, continued, refit)
-    left = contradictions(found.undone, found.undone.posterior() if found.mistakes else posterior, continued, SURE)
+    after = found.undone.posterior() if found.mistakes else posterior
+    left = contradictions(found.undone, after, continued, SURE) or []
     elsewise = {index for one in left for index in one.runs}
     held = [runs for runs in found.mistakes if not runs & elsewise]
     if found.mistakes and left:
-        as_read = contradictions(fitted, posterior, continued, SURE)
+        as_read = contradictions(fitted, posterior, continued, SURE) or []
         if 0 < len(as_read) < len(held) + len(left):
             unsure = {index: one for index, one in found.runs.items() if not one.sure}
             return WrongRuns(unsure, as_read, len(as_read))
@@ -117,7 +118,7 @@ def _by_another_set_up(
         if gain <= most or noisier:
             continue
         left = contradictions(so, so.posterior(), continued, SURE)
-        if 1 + len(left) > among.mistakes:
+        if left is None or 1 + len(left) > among.mistakes:
             continue
         made = {index: replace(one, log_odds=gain) for index, one in other.misread.items()}
         most, found = gain, WrongRuns(others | made, mistakes=1 + len(left))
