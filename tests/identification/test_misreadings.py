@@ -1,6 +1,11 @@
 """What is said of runs that contradict the others."""
 
-from trueaxis.identification.misreadings import Contradicting
+import numpy as np
+
+from trueaxis.estimation.misread import Misread
+from trueaxis.estimation.observations import Observations
+from trueaxis.identification.misreadings import Contradicting, _who
+from trueaxis.measurement.setup import PointOn, Run
 
 
 def contradicting(count: int, *, zeros_free: float = 1.0, moved: float = 1e-3) -> Contradicting:
@@ -21,3 +26,28 @@ def test_they_matter_where_noise_and_zeros_do_not_explain_them_or_the_tool_point
     assert not contradicting(1).matter
     assert contradicting(1, zeros_free=20.0).matter
     assert contradicting(1, moved=3e-3).matter
+
+
+def test_runs_that_have_a_fault_together_are_told_from_the_others() -> None:
+    """`all 3 runs of laser in session day1` was said of those along Y, where there were nine."""
+    end = PointOn("tool", (0.0, 0.0, 0.0))
+    each = [("day1", "x"), ("day1", "x"), ("day1", "y"), ("day1", "y"), ("day2", "x"), ("day2", "x")]
+    runs = [
+        Run(
+            id=str(number), instrument="laser", target=end, reference=PointOn("bed"), frame="bed", home={},
+            direction=(1.0, 0.0, 0.0) if along == "x" else (0.0, -1.0, 0.0), session=session,
+        )
+        for number, (session, along) in enumerate(each)
+    ]  # fmt: skip
+    observed = Observations(
+        source="", runs=tuple(runs), run=np.arange(6), positions=np.zeros((3, 6)), reading=np.zeros(6)
+    )
+
+    def said(*together: int) -> str:
+        return _who(observed, together[0], Misread(how="reversed", log_odds=20.0, together=together))
+
+    assert said(0, 1, 2, 3, 4, 5) == "all 6 runs of laser"
+    assert said(2, 3) == "both runs of laser along [0, 1, 0] in session day1"
+    assert said(0, 1, 4, 5) == "all 4 runs of laser along [1, 0, 0]"
+    assert said(0, 1, 2, 3) == "all 4 runs of laser in session day1"
+    assert said(4, 5) == "both runs of laser in session day2"

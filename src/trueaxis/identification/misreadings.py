@@ -160,12 +160,12 @@ def _who(observed: Observations, index: int, one: Misread) -> str:
     groups, mine = noise_groups(observed.runs), [observed.runs[each] for each in one.together]
     others = [run for run, group in zip(observed.runs, groups, strict=True) if group == groups[index]]
     sessions, lines = {run.session for run in mine}, {run.line for run in mine}
-    which = "both" if len(mine) == 2 else f"all {len(mine)}"
+    which = f"{'both' if len(mine) == 2 else f'all {len(mine)}'} runs of {groups[index]}"
+    if len({run.line for run in others if run.session in sessions}) > len(lines) == 1:
+        which += f" along [{', '.join(f'{part:g}' for part in lines.pop() or ())}]"
     if len({run.session for run in others}) > len(sessions) == 1:
-        return f"{which} runs of {groups[index]} in session {sessions.pop()}"
-    if len({run.line for run in others}) > len(lines) == 1:
-        return f"{which} runs of {groups[index]} along [{', '.join(f'{part:g}' for part in lines.pop() or ())}]"
-    return f"{which} runs of {groups[index]}"
+        which += f" in session {sessions.pop()}"
+    return which
 
 
 def _of_runs(observed: Observations, sure: Mapping[int, Misread]) -> str:
