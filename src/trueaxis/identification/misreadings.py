@@ -143,8 +143,8 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
             yield f"{who} {verb} as if its direction were [{along}] (direction in setup.toml)", one
         elif one.frame is not None:
             done |= set(one.together)
-            verb = verb.removesuffix("s") if len(one.together) > 1 else verb
-            yield f'{who} {verb} as if "{one.frame}" were written for its frame (frame in setup.toml)', one
+            verb, its = (verb.removesuffix("s"), "their") if len(one.together) > 1 else (verb, "its")
+            yield f'{who} {verb} as if {its} frame were "{one.frame}" (frame in setup.toml)', one
         else:
             done |= {index, *one.together}
             yield f"{who} {verb.removesuffix('s') if one.together else verb} {READS[one.how]}", one
