@@ -60,9 +60,7 @@ def noise_of(rows: Rows, machine: MachineModel) -> float:
 
 
 def test_both_frames_hold_the_same_noise() -> None:
-    """Each says what the other says: taken for two, the noise of a cycle of 37 poses came out as 0.4 nm, and all other
-    runs were said to fit no machine.
-    """
+    """Each says what the other says: taken for two, noise may come out as next to none."""
     machine = model("dmu60p_5axis")
     rows = written_once(machine, rows_of(measured(machine, 1)))
     kept = {(rows.runs[index].frame, rows.runs[index].direction) for index in rows.present}

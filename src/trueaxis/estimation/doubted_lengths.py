@@ -6,7 +6,7 @@ be.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from trueaxis.estimation.fitted import Fitted, evidence_ratio
 from trueaxis.estimation.instruments import STYLUSES
 from trueaxis.estimation.misread import SUSPICIOUS
 from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, settled
-from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.setting import Setting
 from trueaxis.machine.machine import ROTARY
 
@@ -44,9 +44,7 @@ def doubted_lengths(setting: Setting, fitted: Fitted) -> tuple[DoubtedLength, ..
     if not lengths or fitted.sizes.flat:
         return ()
     runs = {index for place in lengths for index in layout.shared[place].runs}
-    observed = setting.observed.of_unknown_length(runs, TYPED)
-    there = replace(setting, observed=observed, runs=tuple(measured_runs(observed)))
-    begun, sizes = there.started(layout.effects)
+    begun, sizes = setting.of(setting.observed.of_unknown_length(runs, TYPED)).started(layout.effects)
     x, state, _ = settled(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
     so = Fitted(state=state, sizes=sizes, x=x)
     odds = evidence_ratio(fitted, so)

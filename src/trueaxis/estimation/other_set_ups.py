@@ -114,13 +114,14 @@ def _moves(model: MachineModel, one: MeasuredRun) -> bool:
 
 def _partners(fitted: Fitted, one: MeasuredRun) -> list[MeasuredRun]:
     """Runs of its device by whose set-up a run may have been made."""
+    read = _kinds_read(fitted, one.noise_group)
     return [
         run
         for run in fitted.state.runs
         if run is not one
         and run.noise_group == one.noise_group
         and run.rows.run != one.rows.run
-        and _may_be(fitted, one, run.rows.run)
+        and _kind(fitted.state.layout.model, run.rows.run, one.rows.positions) in read
     ]
 
 
@@ -145,18 +146,16 @@ def _other_directions(fitted: Fitted, one: MeasuredRun) -> list[Vector]:
     others = [axis for axis in axes if np.linalg.norm(np.cross(axis, own)) > ALONG]
     both_ways = (one for axis in others for one in (axis + 0.0, 0.0 - axis))  # no zero with a sign
     found: list[Vector] = [(float(x), float(y), float(z)) for x, y, z in both_ways]
-    return [way for way in found if _may_be(fitted, one, replace(one.rows.run, direction=way))]
+    model, run, read = fitted.state.layout.model, one.rows.run, _kinds_read(fitted, one.noise_group)
+    return [way for way in found if _kind(model, replace(run, direction=way), one.rows.positions) in read]
 
 
-def _may_be(fitted: Fitted, one: MeasuredRun, set_up: Run) -> bool:
-    """Whether a run may have been made by a set-up: of straightness where its instrument has read straightness, of a
-    displacement where it has read displacements, of the angle that an axis is turned by where it has read such, in this
-    run as it is written or in another. A curve of straightness that no other run tells would take up whatever is wrong.
+def _kinds_read(fitted: Fitted, noise_group: str) -> set[tuple[bool, bool]]:
+    """See `_kind`: what an instrument has read, in the runs as they are written. A run may have been made by another
+    set-up of such a kind alone: a curve of straightness that no other run tells would take up whatever is wrong.
     """
-    model = fitted.state.layout.model
-    read = {_kind(model, run.rows.run, run.rows.positions)
-            for run in fitted.state.runs if run.noise_group == one.noise_group}  # fmt: skip
-    return _kind(model, set_up, one.rows.positions) in read
+    mine = [run.rows for run in fitted.state.runs if run.noise_group == noise_group]
+    return {_kind(fitted.state.layout.model, rows.run, rows.positions) for rows in mine}
 
 
 def _kind(model: MachineModel, run: Run, positions: FloatArray) -> tuple[bool, bool]:

@@ -1,7 +1,7 @@
 """What every estimation of one data set shares, and what it is asked to do."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE
@@ -9,7 +9,7 @@ from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, started
 from trueaxis.model.effect_values import EffectValues
@@ -58,6 +58,10 @@ class Setting:
         layout = giving_way(layout, self.runs)
         state = started(layout, self.runs, self.given, self.options.noise)
         return state, self.sizes(state)
+
+    def of(self, observed: Observations) -> "Setting":
+        """The same of readings whose set-ups are said otherwise."""
+        return replace(self, observed=observed, runs=tuple(measured_runs(observed)))
 
     def sizes(self, state: State) -> Sizes:
         """Of the unknowns of a state."""

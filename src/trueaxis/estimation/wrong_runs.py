@@ -11,7 +11,7 @@ from trueaxis.estimation.misread import SURE, Misread, misread_runs
 from trueaxis.estimation.other_set_ups import other_set_ups
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.rounds import CONTINUED_ROUNDS, MOST_ROUNDS, settled
-from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.setting import Setting
 from trueaxis.estimation.state import as_stated, of_runs, started
 
@@ -109,8 +109,7 @@ def _by_another_set_up(
     others = {index: one for index, one in among.misread.items() if one.partner is None}
     most, found = max([SURE, *(one.log_odds for one in misread.values())]), None
     for other in other_set_ups(fitted, setting.observed, wrong, misread, refit, SURE):
-        there = replace(setting, observed=other.observed, runs=tuple(measured_runs(other.observed)))
-        begun, sizes = there.started(fitted.state.layout.effects)
+        begun, sizes = setting.of(other.observed).started(fitted.state.layout.effects)
         x, state, _ = settled(begun, sizes, MOST_ROUNDS)
         so = Fitted(state=state, sizes=sizes, x=x)
         gain = evidence_ratio(fitted, so) - float(np.log(other.among))
