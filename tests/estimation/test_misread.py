@@ -105,6 +105,15 @@ def test_all_runs_of_an_instrument_are_named_together(readings: Observations) ->
     assert "both runs of ballbar read as if the values were 1000 times too small" in found.report.quality.reason
 
 
+def test_runs_while_the_same_axes_move_are_named_together(readings: Observations) -> None:
+    """One set-up in two directions: of two such levels a sound calibrator was accused."""
+    diagonals = [run.id for run in readings.runs if run.id.startswith("XZ-")]
+    found = identify_estimated(model_with(), turned(readings, *diagonals), IdentifyOptions(known=KNOWN))
+    assert set(found.report.quality.fit.runs) == set(diagonals)
+    reason = "the 4 runs XZ-1x, XZ-2x, XZ-1z and XZ-2z of laser together read as if the sign were reversed"
+    assert reason in found.report.quality.reason
+
+
 def test_the_unit_of_an_instrument_is_the_one_that_makes_it_agree(readings: Observations) -> None:
     """An instrument in inches was said to be in metres: as far as noise goes any unit is as likely."""
     small = scaled(scaled(readings, "xy", 1.0 / 25.4), "xz", 1.0 / 25.4)

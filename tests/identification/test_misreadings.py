@@ -51,3 +51,4 @@ def test_runs_that_have_a_fault_together_are_told_from_the_others() -> None:
     assert said(0, 1, 4, 5) == "all 4 runs of laser along [1, 0, 0]"
     assert said(0, 1, 2, 3) == "all 4 runs of laser in session day1"
     assert said(4, 5) == "both runs of laser in session day2"
+    assert said(0, 2, 4) == "the 3 runs 0, 2 and 4 of laser together"

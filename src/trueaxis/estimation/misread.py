@@ -195,19 +195,26 @@ def fault_ratios(fitted: Fitted, posterior: Posterior) -> dict[Fault, float]:
 
 def _of_instruments(state: State, columns: Mapping[int, Sequence[How]]) -> Iterator[Fault]:
     """Those that all runs of an instrument may have, beside another; and the wrong sign of all of it that sense along
-    one line, as one column of a file has. columns: what each run may have, by its place.
+    one line, as one column of a file has, or while the same axes move, as one set-up has. columns: what each run may
+    have, by its place.
     """
     of_instrument: dict[str, list[int]] = {}
-    along: dict[Hashable, list[int]] = {}
+    parts: dict[Hashable, list[int]] = {}
     for place, one in enumerate(state.runs):
         of_instrument.setdefault(one.noise_group, []).append(place)
-        along.setdefault((one.noise_group, one.rows.run.line), []).append(place)
-    groups = [(how, members) for how, members in product(OF_INSTRUMENTS, of_instrument.values())]
-    groups += [("reversed", members) for members in along.values() if members not in of_instrument.values()]
+        parts.setdefault((one.noise_group, "line", one.rows.run.line), []).append(place)
+        parts.setdefault((one.noise_group, "moving", _moving(one)), []).append(place)
+    groups = [(how, tuple(members)) for how, members in product(OF_INSTRUMENTS, of_instrument.values())]
+    groups = list(dict.fromkeys([*groups, *(("reversed", tuple(members)) for members in parts.values())]))
     for how, members in groups:
         places = tuple(place for place in members if how in columns[place])
         if 1 < len(places) < len(state.runs):
             yield Fault(places, how)
+
+
+def _moving(one: MeasuredRun) -> tuple[bool, ...]:
+    """Of each axis whether it moves in the run."""
+    return tuple(bool(span > 0.0) for span in np.ptp(one.rows.positions, axis=1))
 
 
 def _of_factor(state: State, fault: Fault) -> float:

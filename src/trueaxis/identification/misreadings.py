@@ -152,7 +152,7 @@ def _each(observed: Observations, misread: Mapping[int, Misread], verb: str) -> 
 
 def _who(observed: Observations, index: int, one: Misread) -> str:
     """`run X`, `runs X and Y` of two that are swapped, `all 8 runs of laser in session B`, or along a line, of one
-    fault.
+    fault; `the 3 runs X, Y and Z of laser together` where these are not all such runs.
     """
     if len(one.together) < 2:
         among = (index,) if one.partner is None else (index, one.partner)
@@ -160,10 +160,14 @@ def _who(observed: Observations, index: int, one: Misread) -> str:
     groups, mine = noise_groups(observed.runs), [observed.runs[each] for each in one.together]
     others = [run for run, group in zip(observed.runs, groups, strict=True) if group == groups[index]]
     sessions, lines = {run.session for run in mine}, {run.line for run in mine}
+    along, within = len(lines) == 1, len(sessions) == 1
+    alike = [run for run in others if (run.line in lines or not along) and (run.session in sessions or not within)]
+    if len(alike) > len(mine):
+        return f"the {len(mine)} runs {enumerated([run.id for run in mine])} of {groups[index]} together"
     which = f"{'both' if len(mine) == 2 else f'all {len(mine)}'} runs of {groups[index]}"
-    if len({run.line for run in others if run.session in sessions}) > len(lines) == 1:
+    if along and len({run.line for run in others if run.session in sessions}) > 1:
         which += f" along [{', '.join(f'{part:g}' for part in lines.pop() or ())}]"
-    if len({run.session for run in others}) > len(sessions) == 1:
+    if within and len({run.session for run in others}) > 1:
         which += f" in session {sessions.pop()}"
     return which
 
