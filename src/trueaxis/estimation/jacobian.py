@@ -1,6 +1,6 @@
 """The derivative of readings by the unknowns, run by run and piece by piece."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -37,9 +37,10 @@ class RunRows:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Derivative:
-    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; few: (u, r), orthonormal over the
-    run, in which the readings at the u places where they were taken change; place: (m,), that of each reading; others:
-    (r, n), by the other unknowns, per scaled unit; of_run: whether the few are those of all pieces of the run.
+    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; few: (u, r), in which the readings
+    at the u places where they were taken change, orthonormal over the run but for those of effects; place: (m,), that
+    of each reading; others: (r, n), by the other unknowns, per scaled unit; of_run: whether the few are those of all
+    pieces of the run.
     """
 
     own: FloatArray
@@ -69,37 +70,61 @@ class Derivative:
 
 def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
     """Of the readings of a run, piece by piece in their order."""
+    return beside_effects(layout, rows, without_effects(layout, rows))
+
+
+def without_effects(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
+    """As if none of the effects changed a reading: the same at all their values, but for those that move points."""
     count = rows.positions.shape[1]
     longest = max(PIECE // max(layout.count, 1), 1)
     run = layout.effects.set_up(rows.run)
-    home = sensed_at_home(layout.model, run)
     zeroed = home_positions(rows.run, layout.model.axes)
     at_home = np.zeros((1, layout.count))
     if zeroed is not None:
-        _of_machine(layout, home, zeroed, at_home)
+        _of_machine(layout, sensed_at_home(layout.model, run), zeroed, at_home)
     for start in range(0, count, longest):
         part = slice(start, min(start + longest, count))
         positions = np.ascontiguousarray(rows.positions[:, part])
         straight = layout.straightness[rows.index]
         own = own_columns(layout.model, rows.run, straight, positions, rows.passed[part])
         own[:, list(layout.silent.get(rows.index, ()))] = 0.0
-        # effects depend on more than on where the axes are
-        place = np.arange(positions.shape[1]) if layout.effects.count else places_of(positions)
+        place = places_of(positions)
         first = np.zeros(int(place.max()) + 1, dtype=np.int64)
         first[place[::-1]] = np.arange(place.size)[::-1]
         positions = np.ascontiguousarray(positions[:, first])
         found = np.zeros((layout.count, positions.shape[1])).T  # column by column in memory, as LAPACK has it
-        here = sensed(layout.model, run, positions)
-        _of_machine(layout, here, positions, found)
+        _of_machine(layout, sensed(layout.model, run, positions), positions, found)
         if zeroed is not None:
             found -= at_home
         for column, unknown in enumerate(layout.shared, layout.of_machine):
             if rows.index in unknown.runs:
                 found[:, column] = layout.sizes[column] * shared_column(layout.model, rows.run, unknown, positions)
-        if layout.effects.count:
-            found[:, layout.of_effects] = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))
         few, others = few_of(found)
         yield Derivative(own=own, few=few, place=place, others=others)
+
+
+def beside_effects(layout: Layout, rows: RunRows, parts: Iterable[Derivative]) -> Iterator[Derivative]:
+    """Those of a run without effects, with the columns of the effects at their values."""
+    if not layout.effects.count:
+        yield from parts
+        return
+    run = layout.effects.set_up(rows.run)
+    home = sensed_at_home(layout.model, run)
+    each = np.eye(layout.effects.count, layout.count, layout.of_effects.start)
+    start = 0
+    for one in parts:
+        part = slice(start, start + one.place.size)
+        start = part.stop
+        here = sensed(layout.model, run, np.ascontiguousarray(rows.positions[:, part]))
+        # effects depend on more than on where the axes are
+        columns = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))
+        acting = columns.any(axis=0) | one.of_run
+        yield replace(
+            one,
+            few=np.hstack([one.by_few, columns[:, acting]]),
+            place=np.arange(one.place.size),
+            others=np.vstack([one.others, each[acting]]),
+        )
 
 
 def with_common_few(parts: Sequence[Derivative]) -> tuple[Derivative, ...]:

@@ -40,6 +40,9 @@ SUSPICIOUS = float(np.log(1e3))
 # and going on was 2.4 below an estimate from the beginning at most. Readings that hold next to nothing but noise are as
 # likely reversed as not: each of their runs would be tried.
 TRIED = 1.0
+# Below the likeliest fault by how much others are not tried from the beginning: they would be named beside it from SURE
+# below on, and may come out likelier by a few
+NEAR = 2.0 * SURE
 # Likeliest faults that are undone on trial, each at the cost of an estimate. Of 20 worlds as they should be no run was
 # likelier reversed at all, of 20 with one reversed that one alone; where the model is badly wrong all runs may be.
 MOST_TRIALS = 4
@@ -114,19 +117,8 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Continued, ref
         ratios = _ratios(fitted, posterior).items()
         odds = {key: odd for key, odd in ratios if key not in undone and not taken & set(key.places)}
         likeliest = sorted((key for key in odds if odds[key] > TRIED), key=lambda key: -odds[key])
-        gains: dict[Fault, float] = {}
-        following = fitted
-        for fault in _with_other_units(likeliest[:MOST_TRIALS], odds):
-            runs = _with_undone(state.runs, fault)
-            if runs is not None:
-                trial = continued(fitted, runs)
-                gain = _gain(fitted, trial, fault)
-                if gain > TRIED:
-                    trial = refit(runs)
-                    gain = _gain(fitted, trial, fault)
-                if gain > max([SURE, *gains.values()]):
-                    following = trial
-                gains[fault] = gain
+        trials = _undone_on_trial(fitted, _with_other_units(likeliest[:MOST_TRIALS], odds), continued, refit)
+        gains = {fault: gain for fault, (gain, _) in trials.items()}
         if not gains or max(gains.values()) <= SUSPICIOUS:
             break
         best = max(gains.values())
@@ -144,9 +136,26 @@ def misread_runs(fitted: Fitted, posterior: Posterior, continued: Continued, ref
             break
         undone |= set(alike)
         mistakes.append(frozenset(state.runs[place].rows.index for fault in alike for place in fault.places))
-        fitted = following
+        _, fitted = max(trials.values(), key=lambda trial: trial[0])
         posterior = fitted.posterior()
     return MisreadRuns(found, tuple(mistakes), fitted)
+
+
+def _undone_on_trial(
+    fitted: Fitted, faults: Sequence[Fault], continued: Continued, refit: Refit
+) -> dict[Fault, tuple[float, Fitted]]:
+    """How much likelier readings are with each undone, as a logarithm, and the estimate with it undone: from the
+    beginning where it may be as likely as the likeliest.
+    """
+    runs_of = {fault: runs for fault in faults if (runs := _with_undone(fitted.state.runs, fault)) is not None}
+
+    def trial(fault: Fault, undone: Fitted) -> tuple[float, Fitted]:
+        return _gain(fitted, undone, fault), undone
+
+    found = {fault: trial(fault, continued(fitted, runs)) for fault, runs in runs_of.items()}
+    most = max((gain for gain, _ in found.values()), default=0.0)
+    near = [fault for fault, (gain, _) in found.items() if gain > max(TRIED, most - NEAR)]
+    return found | {fault: trial(fault, refit(runs_of[fault])) for fault in near}
 
 
 def _with_other_units(faults: Sequence[Fault], among: Collection[Fault]) -> list[Fault]:

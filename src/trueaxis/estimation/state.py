@@ -8,7 +8,14 @@ import numpy as np
 from trueaxis.estimation.display import display_steps, rounded
 from trueaxis.estimation.factors import triangle_of
 from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives, with_common_few
+from trueaxis.estimation.jacobian import (
+    Derivative,
+    RunRows,
+    beside_effects,
+    derivatives,
+    with_common_few,
+    without_effects,
+)
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import AS_MANY, first_noise, noise_of_draws
@@ -32,7 +39,7 @@ class State:
     is known, white and 1, the scales of their runs being the noise in mm; display: step of the readings of each group,
     mm; noise: of each group; scales: of each run;
     unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm; kept: derivatives of each run's readings,
-    where they fit into the memory and stay.
+    where they fit into the memory and stay, without effects where theirs change.
     """
 
     layout: Layout
@@ -59,7 +66,10 @@ class State:
 
     def derivatives(self, place: int) -> Iterable[Derivative]:
         """Of all readings of the run at a place, piece by piece."""
-        return self.kept[place] if self.kept else derivatives(self.layout, self.runs[place].rows)
+        rows = self.runs[place].rows
+        if not self.kept:
+            return derivatives(self.layout, rows)
+        return beside_effects(self.layout, rows, self.kept[place]) if self.layout.effects.curved else self.kept[place]
 
     def derivatives_kept(self, place: int) -> Iterator[Derivative]:
         """The same of the readings that count."""
@@ -122,16 +132,18 @@ def with_first_noise(state: State) -> State:
 
 
 def _kept(layout: Layout, runs: Sequence[MeasuredRun]) -> tuple[tuple[Derivative, ...], ...]:
-    """Derivatives of each run's readings; none where they change, or take too much memory.
+    """Derivatives of each run's readings, without effects where their columns change; none where they take too much
+    memory, or effects move the points of the runs.
 
-    They are of first order about the machine without errors: nothing changes them but effects that are not linear.
+    They are of first order about the machine without errors: nothing else changes them.
     """
-    if layout.effects.curved:
+    if layout.effects.moves_points:
         return ()
+    of_run = without_effects if layout.effects.curved else derivatives
     found, entries = [], 0
     for one in runs:
         parts = []
-        for part in derivatives(layout, one.rows):
+        for part in of_run(layout, one.rows):
             entries += part.own.size + part.few.size + part.others.size
             if entries > KEPT:
                 return ()

@@ -73,7 +73,8 @@ class Walk:
 
     def step(self, state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> State:
         """As `moved`, on the exact model where readings would tell the difference."""
-        if not state.kept:  # the derivatives change, or cost as much as the exact model does
+        # the derivatives change, or cost as much as the exact model does
+        if not state.kept or state.layout.effects.curved:
             return moved(state, posterior, own_scales)
         there = _by_derivatives(state, posterior)
         # what is quadratic in a step from nothing is, of a further one, up to twice as much for its length

@@ -137,6 +137,11 @@ class EffectUnknowns:
         return any(one.curved for one in self.members)
 
     @property
+    def moves_points(self) -> bool:
+        """Whether points of the runs are where the values say."""
+        return any(one.kind.place == "point" for one in self.members)
+
+    @property
     def scale(self) -> FloatArray:
         """(count,): what one scaled unit of each is."""
         return np.concatenate([np.zeros(0), *(one.scale for one in self.members)])
