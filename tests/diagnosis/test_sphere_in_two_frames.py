@@ -13,7 +13,8 @@ from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import Setup
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.candidates import Candidate, candidates
+from trueaxis.planning.kit import Kit
 from trueaxis.view import view_of
 
 NOISE = 1e-3  # mm, of each coordinate of a centre

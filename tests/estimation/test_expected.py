@@ -19,7 +19,8 @@ from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import moved_by, tool_point, volume
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
-from trueaxis.planning.candidates import Kit, candidates
+from trueaxis.planning.candidates import candidates
+from trueaxis.planning.kit import Kit
 from trueaxis.planning.runs import no_runs
 
 GIVEN = ErrorValues(machine="dmu60p")

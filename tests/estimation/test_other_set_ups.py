@@ -17,7 +17,8 @@ from trueaxis.measurement.reading_model import expected_reading
 from trueaxis.measurement.setup import Run
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import Kit, candidates
+from trueaxis.planning.candidates import candidates
+from trueaxis.planning.kit import Kit
 
 NOISE = 1e-3  # mm
 

@@ -14,7 +14,8 @@ from trueaxis.measurement.reading_geometry import home_positions
 from trueaxis.measurement.reading_model import sensed_directions
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
-from trueaxis.planning.candidates import Kit, candidates
+from trueaxis.planning.candidates import candidates
+from trueaxis.planning.kit import Kit
 from trueaxis.view import view_of
 
 pytestmark = pytest.mark.usefixtures("values_alone")

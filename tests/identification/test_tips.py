@@ -12,7 +12,8 @@ from trueaxis.identification.tips import tip_notes, wrong_tip
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Run
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import Kit, candidates
+from trueaxis.planning.candidates import candidates
+from trueaxis.planning.kit import Kit
 
 FOLDER = Path("data")
 

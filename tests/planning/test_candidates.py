@@ -18,10 +18,12 @@ from trueaxis.measurement.reading_model import expected_reading
 from trueaxis.measurement.setup import Device
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.candidates import Candidate, candidates
+from trueaxis.planning.kit import Kit
 from trueaxis.planning.method import PlanOptions, _kit_of
 from trueaxis.planning.runs import RUN_MINUTES, SET_UP_MINUTES, minutes, no_runs, run_minutes, set_up_of
 
+OPTIONS = PlanOptions(given=ErrorValues(machine="dmu60p"), noise=NoiseModel(), tools=((0.0, 0.0, 0.0),))
 ALL = Kit(instruments=("laser", "ballbar", "probe"))
 
 
@@ -98,11 +100,24 @@ def test_the_first_and_the_farthest_place_on_the_tool_are_those_of_the_plan() ->
     """The point whose uncertainty is wanted is no place of a ball."""
     at = [(0.0, 0.0, -120.0), (0.0, 0.0, -110.0), (0.0, 40.0, -120.0)]
     lasers = candidates(model(), Kit(instruments=("laser",), tools=tuple(at)))
-    runs = [next(one.run for one in lasers if one.run.target.point == point) for point in at]
-    options = PlanOptions(given=ErrorValues(machine="dmu60p"), noise=NoiseModel(), tools=((0.0, 0.0, 0.0),))
-    kit = _kit_of(runs, options, ("laser", "ballbar"))
+    found = [next(one for one in lasers if one.run.target.point == point) for point in at]
+    kit = _kit_of(model(), no_runs("here", model().axes).with_added(found).observed, OPTIONS, ("laser", "ballbar"))
     assert kit.on_tool("laser") == (at[0], at[2])
     assert kit.on_tool("ballbar") == (at[0],)
+
+
+def test_straightness_is_read_by_the_device_that_reads_straightness() -> None:
+    """It was proposed with the device of the distance optics, which comes first in a plan."""
+    lasers = candidates(model(), Kit(instruments=("laser",)))
+    distance, across = (next(one for one in lasers if word in one.what) for word in ("displacement", "straightness"))
+    head, optic = Device(id="head"), Device(id="short range optic")
+    for devices in ({distance: head, across: optic}, {distance: head}):
+        found = [replace(one, run=replace(one.run, device=device)) for one, device in devices.items()]
+        observed = no_runs("here", model().axes).with_added(found).observed
+        proposed = candidates(model(), _kit_of(model(), observed, OPTIONS, ("laser",)))
+        straight = {one.run.device for one in proposed if "straightness" in one.what}
+        assert straight == {devices.get(across, head)}
+        assert {one.run.device for one in proposed if "displacement" in one.what} == {head}
 
 
 def test_a_set_up_takes_its_time_once() -> None:

@@ -263,7 +263,10 @@ def test_the_noise_of_one_instrument_may_be_stated_alone(capsys: pytest.CaptureF
     assert plan(RUNS, "--noise-um", "laser=0.4", "--propose", "1", "--propose-with", "ballbar") == 0
     assert "laser: 0.4 um assumed" in capsys.readouterr().out
     stated = NoiseModel(by_group={"laser": 0.4})
-    assert noise_of_instruments(["laser", "ballbar"], {}, stated) == {"laser": pytest.approx(4e-4), "ballbar": 1e-3}
+    assert noise_of_instruments({"laser": None, "ballbar": None}, stated) == {
+        "laser": pytest.approx(4e-4),
+        "ballbar": 1e-3,
+    }
     observed = mixed_data(cubic_errors())
     each = noise_of_runs(observed, replace(stated, by_group={"laser": 0.4, "X-2": 0.7}))
     told = {run.id: each[index] for index, run in enumerate(observed.runs)}

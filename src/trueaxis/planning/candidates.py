@@ -5,17 +5,19 @@ workpiece, which is what parts are made by.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import combinations, product
 from typing import cast
 
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import column
-from trueaxis.measurement.setup import Device, PointOn, Run, Vector
+from trueaxis.measurement.setup import PointOn, Run, Vector
+from trueaxis.planning.kit import Kit
 from trueaxis.planning.paths import (
     at_share,
     follow_circle,
@@ -24,7 +26,6 @@ from trueaxis.planning.paths import (
     home_position,
     line,
     linear_axes,
-    places,
     rotary_axes,
     there_and_back,
     tilted,
@@ -32,7 +33,6 @@ from trueaxis.planning.paths import (
 )
 from trueaxis.view import Frame
 
-LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
 CIRCLE = 36  # readings of a circle, one way
 TURNED = 1e-6  # rad: of a direction that turns with the workpiece at all
 WITH_CANDIDATES: tuple[Instrument, ...] = ("laser", "ballbar", "probe", "angle")
@@ -47,31 +47,6 @@ class Candidate:
     what: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Kit:
-    """What is at hand. tools: points in the tool frame at which optics, balls and styli sit, mm, but for instruments
-    that have points of their own, `points`; lengths: of ball bars, mm; devices: of instruments, where they are known;
-    session: of the new runs; everywhere: whether circles and turns are wanted at all places of the travels, or in the
-    middle alone.
-    """
-
-    instruments: tuple[Instrument, ...]
-    tools: tuple[Vector, ...] = ((0.0, 0.0, 0.0),)
-    points: Mapping[str, tuple[Vector, ...]] = field(default_factory=dict)
-    lengths: tuple[float, ...] = LENGTHS
-    devices: Mapping[str, Device] = field(default_factory=dict)
-    session: str = ""
-    everywhere: bool = True
-
-    def on_tool(self, instrument: Instrument) -> tuple[Vector, ...]:
-        """Where it sits on the tool."""
-        return self.points.get(instrument, self.tools)
-
-    def places(self, machine: IdentifiedMachine) -> list[FloatArray]:
-        """(n_axes, 1) each, at which circles and turns are."""
-        return places(machine)[: None if self.everywhere else 1]
-
-
 def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
     """All candidates, in a fixed order; ids are left to whoever takes one."""
     makers = {
@@ -81,10 +56,12 @@ def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
         "angle": (_tilts, _rotations),
     }
     found = [one for name, of in makers.items() if name in kit.instruments for make in of for one in make(machine, kit)]
-    return [
-        replace(one, run=replace(one.run, device=kit.devices.get(one.run.instrument), session=kit.session))
-        for one in found
-    ]
+
+    def with_device(one: Candidate) -> Candidate:
+        device = kit.device_of(one.run.instrument, straightness=is_straightness(machine, one.run, one.positions))
+        return replace(one, run=replace(one.run, device=device, session=kit.session))
+
+    return [with_device(one) for one in found]
 
 
 def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:

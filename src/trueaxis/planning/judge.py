@@ -199,17 +199,15 @@ def noise_of_runs(observed: Observations, stated: NoiseModel) -> dict[int, float
     return {**named, **{index: found[index] for index, _ in silent}}
 
 
-def noise_of_instruments(
-    instruments: Sequence[str], devices: Mapping[str, Device], stated: NoiseModel
-) -> dict[str, float]:
+def noise_of_instruments(devices: Mapping[str, Device | None], stated: NoiseModel) -> dict[str, float]:
     """Standard deviation of the readings of new runs, by instrument, mm: stated for it, else as of a plan that states
-    none.
+    none. devices: by instrument, where they are known.
     """
     return {
         name: 1e-3 * stated.by_group[name]
         if name in stated.by_group and name != ANGLE
-        else _of_device(name, devices.get(name), stated)
-        for name in instruments
+        else _of_device(name, device, stated)
+        for name, device in devices.items()
     }
 
 

@@ -9,15 +9,17 @@ import numpy as np
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.measurement.instrument_kinds import Instrument
-from trueaxis.measurement.setup import Device, Run, Vector
+from trueaxis.measurement.setup import Device, Vector
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import LENGTHS, Candidate, Kit
+from trueaxis.planning.candidates import Candidate
 from trueaxis.planning.judge import expected_with_effects, judge, noise_of_instruments, noise_of_runs, refuse_runs
+from trueaxis.planning.kit import LENGTHS, Kit
 from trueaxis.planning.location_sets import location_sets
 from trueaxis.planning.order import order
 from trueaxis.planning.propose import LEAST_FALL, VOLUME, Chosen, Proposal, Wish, by_set_up, for_noise, named, propose
@@ -75,7 +77,7 @@ def proposed(
     model: MachineModel, options: PlanOptions, planned: PlannedRuns, count: int, instruments: Sequence[Instrument]
 ) -> Proposed:
     """The `count` runs that add most; instruments: of the candidates, those of the plan where none are named."""
-    kit = _kit_of(planned.runs, options, instruments)
+    kit = _kit_of(model, planned.observed, options, instruments)
     wish = _wish(options, kit)
 
     def goes_on(chosen: Sequence[Chosen]) -> float:
@@ -136,15 +138,19 @@ def _with_report(
     return Proposed(whole, runs, report, after)
 
 
-def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Instrument]) -> Kit:
+def _kit_of(
+    model: MachineModel, observed: Observations, options: PlanOptions, instruments: Sequence[Instrument]
+) -> Kit:
     """What the plan has at hand: instruments, bars, their places on the tool."""
+    runs = observed.runs
     used = tuple(dict.fromkeys(instruments or (run.instrument for run in runs)))
     lengths = tuple(dict.fromkeys(run.length for run in runs if run.length is not None)) or LENGTHS
-    devices: dict[str, Device] = {}
+    devices: dict[tuple[str, bool], Device] = {}
     on_tool: dict[str, list[Vector]] = {}
-    for run in runs:
+    for index, run in enumerate(runs):
         if run.device is not None:
-            devices[run.instrument] = run.device
+            straight = is_straightness(model, run, observed.positions[:, observed.run == index])
+            devices[run.instrument, straight] = run.device
         ends = [end.point for end in (run.target, run.reference) if end.on == "tool"]
         on_tool.setdefault(run.instrument, []).extend(ends)
     points = {instrument: _first_and_farthest(of) for instrument, of in on_tool.items() if of}
@@ -159,7 +165,8 @@ def _first_and_farthest(points: Sequence[Vector]) -> tuple[Vector, ...]:
 
 
 def _wish(options: PlanOptions, kit: Kit) -> Wish:
-    noise = noise_of_instruments(kit.instruments, kit.devices, options.noise)
+    devices: dict[str, Device | None] = {name: kit.device_of(name) for name in kit.instruments}
+    noise = noise_of_instruments(devices, options.noise)
     return Wish(wanted=options.wanted, datum=options.datum, tools=options.tools, noise=noise, effects=options.effects)
 
 

@@ -28,7 +28,8 @@ from trueaxis.measurement.setup import Run, Vector
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.candidates import Candidate, candidates
+from trueaxis.planning.kit import Kit
 from trueaxis.planning.runs import SET_UP_MINUTES, PlannedRuns, run_minutes, set_up_of
 
 VOLUME = "volume"  # what is to be known best: the tool point over the volume, or the error that is named instead

@@ -23,7 +23,8 @@ from trueaxis.machine.machine import LINEAR
 from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.model import MachineModel
-from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates
+from trueaxis.planning.candidates import Candidate, candidates
+from trueaxis.planning.kit import LENGTHS, Kit
 
 HOUR = 3600.0
 SWING, WARMER = 3.0, 5.0  # K
