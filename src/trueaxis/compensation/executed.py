@@ -23,15 +23,20 @@ class Executed:
 
     positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that
     they stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in
-    whose middle the path's point is passed (see middles). stopped: (n,), where a word stops at the end of the travel
-    because the compensated position lies beyond.
+    whose middle the path's point is passed (see middles). beyond: (n_axes, n), by how much the compensated position
+    lies beyond the end of the travel, at which the word stops.
     """
 
     positions: FloatArray
     reference: FloatArray
     point: NDArray[np.int64]
     passed: NDArray[np.bool_]
-    stopped: NDArray[np.bool_]
+    beyond: FloatArray
+
+    @property
+    def stopped(self) -> NDArray[np.bool_]:
+        """(n,): where a word stops at the end of the travel."""
+        return np.asarray(self.beyond.any(axis=0))
 
     def at_points(self, previous: FloatArray) -> FloatArray:
         """Positions (n_axes, n_points) where the path's points are reached or passed."""
@@ -67,8 +72,8 @@ def execute(
         chosen.positions, Lattice(base[:, None], stretch.step), model, tool_point, unplaced[chosen.point]
     )
     held_now = columns_of(held, chosen.point - stretch.first)
-    stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
-    return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)
+    beyond = np.where(held_now, 0.0, chosen.positions - inside)
+    return replace(chosen, positions=standing(inside, held_now, previous), beyond=beyond)
 
 
 def _chosen(
@@ -91,7 +96,7 @@ def _chosen(
     point = np.arange(stretch.first, stretch.last)
     programmed = path.points[:, part]
     none = np.zeros(point.size, dtype=bool)
-    plain = Executed(positions=near, reference=programmed, point=point, passed=none, stopped=none)
+    plain = Executed(positions=near, reference=programmed, point=point, passed=none, beyond=np.zeros_like(near))
     free = ~held.any(axis=0)
     if settings.words == "nearest" or settings.ball is None:
         return plain
@@ -168,7 +173,7 @@ def _passing(
         reference=reference,
         point=plain.point[source],
         passed=passed,
-        stopped=np.zeros_like(passed),
+        beyond=np.zeros_like(positions),
     )
 
 
@@ -179,7 +184,7 @@ def joined(parts: list[Executed]) -> Executed:
         reference=np.concatenate([part.reference for part in parts], axis=1),
         point=np.concatenate([part.point for part in parts]),
         passed=np.concatenate([part.passed for part in parts]),
-        stopped=np.concatenate([part.stopped for part in parts]),
+        beyond=np.concatenate([part.beyond for part in parts], axis=1),
     )
 
 

@@ -93,6 +93,23 @@ class LineLog:
         return Lines(self._points, tuple(self._first))
 
 
+class TravelLog(LineLog):
+    """Gathers lines of points beyond the travel, and how far beyond each axis would be."""
+
+    def __init__(self, axes: Sequence[str]) -> None:
+        super().__init__()
+        self._axes, self._farthest = axes, np.zeros(len(axes))
+
+    def beyond(self, lines: NDArray[np.int64], beyond: FloatArray) -> None:
+        """Take in the lines of some points, ascending, and (n_axes, n), mm or deg."""
+        self.add(lines)
+        self._farthest = np.maximum(self._farthest, np.abs(beyond).max(axis=1, initial=0.0))
+
+    def farthest(self) -> dict[str, float]:
+        """The largest of the axes that were beyond, mm or deg."""
+        return {axis: far for axis, far in zip(self._axes, self._farthest.tolist(), strict=True) if far > 0.0}
+
+
 KEPT = 49  # with the count of all, 50 messages
 
 

@@ -1,6 +1,7 @@
 """What a compensation did; and, for who asks for it, what it changed point by point, which grows with the program."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Literal
 
@@ -84,7 +85,8 @@ class CompensationReport:
     before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
-    out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
+    out_of_travel: points whose compensated position is outside the travel: their words stop at its end; beyond_travel:
+    by how much at most, mm or deg, of the axes that would leave it.
     parked_at_end: the same of rapids in machine coordinates (G53), which do no harm; they are in no other figure.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
@@ -126,6 +128,7 @@ class CompensationReport:
     not_converged: Lines
     over_tolerance: Lines
     out_of_travel: Lines
+    beyond_travel: Mapping[str, float]
     parked_at_end: Lines
     over_orientation: Lines
     singular: Lines

@@ -10,7 +10,7 @@ from trueaxis.compensation.course import Placing
 from trueaxis.compensation.datum import FromDatum
 from trueaxis.compensation.elsewhere import Elsewhere
 from trueaxis.compensation.executed import Executed
-from trueaxis.compensation.logs import LineLog, Running
+from trueaxis.compensation.logs import LineLog, Running, TravelLog
 from trueaxis.compensation.machine import ErrorModel, FloatArray, PointControlled, rotary_rows
 from trueaxis.compensation.moves import Notes, Setup
 from trueaxis.compensation.nc.kept_holes import BOTTOM, MIDDLE, TOP, Drilled
@@ -50,7 +50,7 @@ class Tally:
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._bar = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
-        self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
+        self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), TravelLog(model.axes)
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
         self._parked, self._holes = LineLog(), Running()
         self._axes, self._units = model.axes, set[str]()
@@ -147,13 +147,11 @@ class Tally:
     def _stopped(
         self, done: Executed, places: Places, lines: NDArray[np.int64]
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Points at which a word stops at the end of travel, and those of them at which that matters to nothing, as
-        axes only park there; each (n_points,).
-        """
-        stopped = np.zeros(lines.size, dtype=bool)
-        stopped[done.point[done.stopped]] = True
+        """(n_points,) each: where a word stops at the end of the travel, and where axes only park there."""
+        stopped = np.isin(np.arange(lines.size), done.point[done.stopped])
         parked = stopped & places.parking
-        self._out_of_travel.add(lines[done.point[done.stopped & ~parked[done.point]]])
+        there = done.stopped & ~parked[done.point]
+        self._out_of_travel.beyond(lines[done.point[there]], done.beyond[:, there])
         self._parked.add(lines[parked])
         return stopped, parked
 
@@ -275,6 +273,7 @@ class Tally:
             not_converged=self._not_converged.lines(),
             over_tolerance=self._over_tolerance.lines(),
             out_of_travel=self._out_of_travel.lines(),
+            beyond_travel=self._out_of_travel.farthest(),
             parked_at_end=self._parked.lines(),
             over_orientation=self._over_orientation.lines(),
             singular=self._singular.lines(),

@@ -3,12 +3,15 @@ has to know, last how it was computed.
 """
 
 import math
+from collections.abc import Mapping
 
 from trueaxis.compensation.elsewhere import NEAR, OffsetUse, UnknownPlaces, UnnamedFeeds
 from trueaxis.compensation.logs import Lines
+from trueaxis.compensation.machine import ROTARY
 from trueaxis.compensation.report import CompensationReport, Errors, Failure
 from trueaxis.compensation.settings import LEAST_INCH, MM_PER_INCH
 from trueaxis.compensation.tools import ToolUse
+from trueaxis.identification.words import enumerated
 from trueaxis.reporting.compensation_checks import kinematics_text, position_text, senses_text, sign_check_text
 from trueaxis.reporting.compensation_warnings import warnings_of
 
@@ -140,13 +143,18 @@ def _points(lines: Lines) -> str:
     return f"{lines.points} points, lines {_named_lines(lines)}"
 
 
+def _out_of_travel(beyond: Mapping[str, float]) -> str:
+    by = enumerated([f"{axis} by up to {far:.4f} {'deg' if axis in ROTARY else 'mm'}" for axis, far in beyond.items()])
+    return f"out of travel, words stop at its end ({by}; if it goes so far, say so in travel of the spec)"
+
+
 def _troubles(report: CompensationReport) -> list[str]:
     """Points that are not as they are to be, and why."""
     settings = report.settings
     kinds = (
         ("not converged", report.not_converged),
         ("above tolerance", report.over_tolerance),
-        ("out of travel, words stop at its end", report.out_of_travel),
+        (_out_of_travel(report.beyond_travel), report.out_of_travel),
         (f"above {settings.orientation_tolerance_urad:g} urad", report.over_orientation),
         ("singular poses, one direction of the tool axis not corrected (no fault between rapids)", report.singular),
     )
