@@ -14,6 +14,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.null_model.base import Base, base_of
 from trueaxis.diagnosis.null_model.noise import COURSES, EXPECTED, REPEATS, STATED, UNKNOWN, noise_of_runs
+from trueaxis.diagnosis.null_model.noise_blocks import _together
 from trueaxis.diagnosis.null_model.noise_precision import precision_of
 from trueaxis.diagnosis.null_model.rows import Rows, rows_of
 from trueaxis.diagnosis.result import NoiseOf
@@ -282,3 +283,13 @@ def test_only_what_repeats_tell_counts_as_degrees_of_freedom_of_the_noise() -> N
     contrasts = rows.size - np.linalg.matrix_rank(np.hstack([own, targets]))
     assert found == pytest.approx(contrasts, rel=0.1)
     assert contrasts < 0.5 * rows.size
+
+
+def test_every_instrument_tells_its_noise_in_the_first_block() -> None:
+    """An angle instrument measured three times was too few to know its noise: the first block was full without it."""
+    groups = [np.arange(10 * k, 10 * k + 10) for k in range(9)]
+    owner = ("laser", "laser", "bar", "laser", "angle", "bar", "angle", "probe", "laser")
+    found = _together(groups, 35, lambda at: owner[int(at[0]) // 10])
+    numbers = [[int(at[0]) // 10 for at in members] for members in found]
+    assert numbers == [[0, 1, 2, 4, 7], [3, 5], [6, 8]]
+    assert _together([], 35, lambda _: "") == []

@@ -4,7 +4,7 @@ The unknowns of each run's instrument are free, and so is the base. What the bas
 of a target, from one side, with one set-up; what differs between them is noise, whatever the model.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise, zip_longest
 
@@ -111,19 +111,15 @@ class Blocks:
 
     def of(self, values: FloatArray) -> Iterator[Block]:
         """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
-        with the others; a run is in one block alone. Readings that are far off are left out. values: (n,), mm.
+        with the others; a run is in one block alone. The first has readings of every instrument, whose noise is told by
+        it. Readings that are far off are left out. values: (n,), mm.
         """
         place = np.empty(self.rows.size, dtype=np.int64)
         for number, run in enumerate(self.base.runs):
             place[run.rows.at] = number
         most = ENOUGH + self.base.columns.weights.shape[1]
-        together: list[IntArray] = []
-        for at in _in_turn(_groups(self.rows, place), place):
-            if together and sum(one.size for one in together) + at.size > most:
-                yield self._without_far(values, place, together)
-                together = []
-            together.append(at)
-        if together:
+        whose = [run.noise_group for run in self.base.runs]
+        for together in _together(_in_turn(_groups(self.rows, place), place), most, lambda at: whose[place[at[0]]]):
             yield self._without_far(values, place, together)
 
     def _without_far(self, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
@@ -156,6 +152,23 @@ def _groups(rows: Rows, place: IntArray) -> list[IntArray]:
         order = np.argsort(np.argsort(first))[which.reshape(-1)]
         found.append(at[order % -(-at.size // MOST) == 0])
     return found
+
+
+def _together(groups: Iterable[IntArray], most: int, instrument: Callable[[IntArray], str]) -> list[list[IntArray]]:
+    """In their order, up to `most` readings together; with the first ones a group of every instrument."""
+    found: list[list[IntArray]] = [[]]
+    for at in groups:
+        if found[-1] and sum(one.size for one in found[-1]) + at.size > most:
+            found.append([])
+        found[-1].append(at)
+    first, *others = found
+    seen = {instrument(at) for at in first}
+    for members in others:
+        missing = {instrument(at): k for k, at in reversed(list(enumerate(members))) if instrument(at) not in seen}
+        seen |= missing.keys()
+        first += [members[k] for k in missing.values()]
+        members[:] = [at for k, at in enumerate(members) if k not in missing.values()]
+    return [members for members in found if members]
 
 
 def _in_turn(groups: Sequence[IntArray], place: IntArray) -> Iterator[IntArray]:
