@@ -15,7 +15,7 @@ from trueaxis.diagnosis.causes.search import Search, search
 from trueaxis.diagnosis.causes.signature import Readings
 from trueaxis.diagnosis.causes.signatures import signature_of
 from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, base_of, rough_degree
-from trueaxis.diagnosis.null_model.roughness import FURTHER_DEGREES, Higher, roughness_of
+from trueaxis.diagnosis.null_model.roughness import FURTHER_DEGREES, Higher, _local, roughness_of
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.effects.kind import Effect
@@ -52,7 +52,8 @@ def _higher(readings: Readings) -> Higher:
     base = base_of(readings.model, readings.rows, names)
     of = np.array(base.components)
     places = {name: np.flatnonzero(of == name)[DEGREE:] for name in names}
-    return Higher(base=where.null, columns=base.machine, places=places)
+    local = {name: _local(base, name, readings.rows) for name in names}
+    return Higher(base=where.null, columns=base.machine, places=places, local=local)
 
 
 @pytest.mark.parametrize(("component", "size"), [("EXX", 2e-3), ("EBX", 2e-5)])
@@ -94,9 +95,11 @@ def test_a_cyclic_error_is_one_also_where_a_rough_curve_could_follow_it() -> Non
 
 
 def test_a_curve_is_no_rougher_than_the_positions_at_which_it_was_read() -> None:
-    few = prepared(Case(seed=1, design=Design(lines=2, repeats=2, targets=30, ball_bar=False), noise="none"))
+    few = prepared(Case(seed=1, design=Design(lines=1, repeats=2, targets=30, ball_bar=False), noise="none"))
+    together = prepared(Case(seed=1, design=Design(lines=4, repeats=2, targets=15, ball_bar=False), noise="none"))
     many = prepared(Case(seed=1, design=Design(lines=2, repeats=2, targets=70, ball_bar=False), noise="none"))
     assert rough_degree(few.rows, "EXX") == 15
+    assert 15 < rough_degree(together.rows, "EXX") <= ROUGH
     assert rough_degree(many.rows, "EXX") == ROUGH
     base = base_of(few.model, few.rows, ("EXX",))
     assert {name: one.degree for name, one in base.bases.items() if one.degree != DEGREE} == {"EXX": 15}
@@ -107,6 +110,19 @@ def changed(given: Prepared, values: FloatArray) -> MeasuredData:
     added = np.zeros(readings.reading.size)
     added[given.rows.row] = values
     return replace(given.data, readings=replace(readings, reading=readings.reading + added))
+
+
+def test_a_local_change_of_a_curve_is_no_periodic_error_on_lines_of_few_targets() -> None:
+    """Each line has too few targets for a rougher curve: what 60 mm of it left was cyclic, of 130 mm."""
+    given = prepared(Case(seed=5, design=Design(lines=4, repeats=3, targets=15), noise="white", given="exact"))
+    base = base_of(given.model, given.rows, degree=60)
+    mine = np.flatnonzero(np.array(base.components) == "EYY")
+    at, curve = base.curve("EYY", given.rows)
+    bump = 4e-3 * np.exp(-(((at - 350.0) / 30.0) ** 2) / 2.0)
+    weights = np.linalg.lstsq(curve, bump, rcond=None)[0]
+    said = diagnose(given.model, changed(given, base.machine.take(mine).dense() @ (base.expected[mine] * weights)))
+    assert (said.verdict, said.causes) == ("recalibrate", ())
+    assert "EYY" in {one.component for one in said.stale}
 
 
 @pytest.mark.parametrize("hidden", [(), (Hidden("backlash", "EYY", size=6e-3),)])

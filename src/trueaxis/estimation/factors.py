@@ -10,7 +10,7 @@ beyond these is rounding. So time and memory of all that is done with them grow 
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.linalg import qr
+from scipy.linalg import qr, svd
 from scipy.linalg.lapack import dgeqrt, dtpqrt, dtrtri
 
 from trueaxis.measurement.machine import FloatArray
@@ -75,3 +75,15 @@ def common(weights: Sequence[FloatArray]) -> tuple[list[FloatArray], FloatArray]
     """
     turned, together = few_of(np.vstack(weights))
     return np.split(turned, np.cumsum([one.shape[0] for one in weights])[:-1]), together
+
+
+def decomposed(matrix: FloatArray, whole: bool = False) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Singular value decomposition: where LAPACK's divide and conquer gives up, by its older routine.
+
+    whole: with the directions that belong to no singular value, too.
+    """
+    try:
+        left, singular, right = np.linalg.svd(matrix, full_matrices=whole)
+    except np.linalg.LinAlgError:
+        left, singular, right = svd(matrix, full_matrices=whole, lapack_driver="gesvd")
+    return left, singular, right

@@ -6,6 +6,7 @@ from itertools import compress
 
 import numpy as np
 
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.runs import MeasuredRun
@@ -42,7 +43,7 @@ def giving_way(layout: Layout, runs: Sequence[MeasuredRun]) -> Layout:
 def _within(columns: FloatArray, effects: FloatArray) -> BoolArray:
     """(k,): which of columns (n, k) are sums of those of effects (n, m)."""
     size = np.linalg.norm(effects, axis=0)
-    left, singular, _ = np.linalg.svd(effects[:, size > 0.0] / size[size > 0.0], full_matrices=False)
+    left, singular, _ = decomposed(effects[:, size > 0.0] / size[size > 0.0])
     left = left[:, singular > SAME]
     rest = np.linalg.norm(columns - left @ (left.T @ columns), axis=0)
     return np.asarray(rest <= SAME * np.linalg.norm(columns, axis=0))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.effects.search import Others, WhitenedRun
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.instruments import own_columns
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
@@ -39,7 +40,7 @@ class OwnPart:
 
 def own_part(own: FloatArray) -> OwnPart:
     """own: (n, k), whitened columns of the own unknowns in units of their sizes, which may be 1e8 times the noise."""
-    left, singular, _ = np.linalg.svd(own, full_matrices=False)
+    left, singular, _ = decomposed(own)
     return OwnPart(left, 1.0 / np.hypot(1.0, singular))
 
 

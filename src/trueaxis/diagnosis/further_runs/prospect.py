@@ -16,7 +16,6 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from scipy.linalg import svd
 
 from trueaxis.diagnosis.causes.search import Ground
 from trueaxis.diagnosis.causes.signature import Readings, readings_of
@@ -25,10 +24,11 @@ from trueaxis.diagnosis.further_runs.menu import FurtherRun, menu
 from trueaxis.diagnosis.further_runs.of_plan import Placed
 from trueaxis.diagnosis.null_model.base import ANYWHERE, base_of
 from trueaxis.diagnosis.null_model.by_run import of_basis
-from trueaxis.diagnosis.null_model.projection import Projection, decomposed
+from trueaxis.diagnosis.null_model.projection import Projection
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.diagnosis.result import FloatArray
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun, noise_groups
 from trueaxis.measurement.context import context_of
@@ -249,5 +249,5 @@ def inverse_roots(known: FloatArray) -> tuple[InverseRoot, ...]:
     """For each of TIMES. known: C, (m, rank). Its product with itself is never formed: where a run leads far from the
     readings at hand it is so large that rounding takes the I away.
     """
-    left, singular, _ = svd(known, full_matrices=False, check_finite=False)
+    left, singular, _ = decomposed(known)
     return tuple(InverseRoot(left, 1.0 / np.sqrt(1.0 + times * singular**2)) for times in TIMES)

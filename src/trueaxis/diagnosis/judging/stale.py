@@ -17,7 +17,8 @@ from trueaxis.diagnosis.null_model.null import Null
 from trueaxis.diagnosis.null_model.projection import Projection, orthonormal, spanned
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RANK
-from trueaxis.diagnosis.result import FloatArray, IntArray, Stale
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, Stale
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
@@ -67,7 +68,7 @@ class _Asked:
         """
         held = orthonormal(self.r[:, np.concatenate([np.zeros(0, np.int64), *(self.at[one] for one in others)])])
         columns = self.r[:, self.at[name]]
-        left, strength, _ = np.linalg.svd(columns - held @ (held.T @ columns), full_matrices=False)
+        left, strength, _ = decomposed(columns - held @ (held.T @ columns))
         basis = left[:, strength > 1.0 / max(SIZES)]
         k, inside = basis.shape[1], basis.T @ self.r[:, -1]
         return log_f_tail(float(inside @ inside) / k, k, self.freedom[name]) if k else 0.0
@@ -168,7 +169,8 @@ def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str,
 
 
 def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], name: str) -> Stale:
-    """By how much values have changed where it is clearest, and from where to where by more than they are uncertain.
+    """By how much values have changed where it is clearest, and from where to where about that place by more than they
+    are uncertain.
 
     Where no place is certain, by how much the curve has bent, from where to where: its slope, or more of it, is then
     not told from those of other runs.
@@ -188,8 +190,7 @@ def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], n
         first, last = ends[peak].tolist()
     else:
         peak = clearest(value, u)
-        far = np.flatnonzero(np.abs(value) > CHANGED * u)
-        first, last = (int(far[0]), int(far[-1])) if far.size else (peak, peak)
+        first, last = _about(peak, np.abs(value) > CHANGED * u)
     others = {one: size for one, size in sizes.items() if one != name}
     return Stale(
         component=name,
@@ -202,6 +203,13 @@ def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], n
         bent=bent,
         alike=_alike(asked, others, name),
     )
+
+
+def _about(place: int, far: BoolArray) -> tuple[int, int]:
+    """The first and the last of those about a place that are far."""
+    near = np.flatnonzero(~far)
+    first, last = near[near < place].max(initial=-1) + 1, near[near > place].min(initial=far.size) - 1
+    return (int(first), int(last)) if far[place] else (place, place)
 
 
 def _bends(at: FloatArray, curve: FloatArray) -> tuple[IntArray, FloatArray]:

@@ -18,6 +18,7 @@ from trueaxis.diagnosis.null_model.projection import orthonormal
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.null_model.whiten import RANK, settling, wandering
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.instruments import BALL_OF_RUN
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 
@@ -94,7 +95,7 @@ class Block:
     def expecting(self, base: Base, times: float) -> "Block":
         """With errors of the machine by chance, so many times as large as expected."""
         columns = np.hstack([base.columns.at(self.at) * base.wide(times), base.by_chance[self.at]])
-        directions, sizes, _ = np.linalg.svd(_less_own(self.parts, columns), full_matrices=False)
+        directions, sizes, _ = decomposed(_less_own(self.parts, columns))
         seen = sizes > SMALLEST  # most curves are too small, or too much like others, to be seen at all
         return replace(self, free=directions[:, seen] * sizes[seen], by_chance=True)
 

@@ -4,12 +4,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import qr, svd
+from scipy.linalg import qr
 
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.rows import as_slice
 from trueaxis.diagnosis.null_model.whiten import RANK
 from trueaxis.diagnosis.result import FloatArray, IntArray
+from trueaxis.estimation.factors import decomposed
 
 LEAST = 1e-4  # share of a column's length that must be left of it, for it to explain anything
 TOLD = 1e-6  # of the largest eigenvalue of products of columns, below which rounding is all there is
@@ -135,18 +136,6 @@ class Projection:
         inside = self.soft.T @ columns
         scaled = self.shrink * inside if inside.ndim == 1 else self.shrink[:, np.newaxis] * inside
         return np.asarray(columns - self.soft @ scaled)
-
-
-def decomposed(matrix: FloatArray, whole: bool = False) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Singular value decomposition: where LAPACK's divide and conquer gives up, by its older routine.
-
-    whole: with the directions that belong to no singular value, too.
-    """
-    try:
-        left, singular, right = np.linalg.svd(matrix, full_matrices=whole)
-    except np.linalg.LinAlgError:
-        left, singular, right = svd(matrix, full_matrices=whole, lapack_driver="gesvd")
-    return left, singular, right
 
 
 def spanned(columns: ByRun) -> ByRun:

@@ -14,6 +14,7 @@ import numpy as np
 
 from trueaxis.diagnosis.null_model.rows import as_slice, runs_among
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.noise import BLOCK, Noise
 from trueaxis.estimation.noise import Whitening as OfOneRun
 
@@ -219,12 +220,12 @@ class Whitening:
 def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     alone = run.alone()
     white = alone.every(own / np.maximum(np.linalg.norm(own, axis=0), 1e-300))
-    left, singular, _ = np.linalg.svd(white, full_matrices=False)
+    left, singular, _ = decomposed(white)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
     own_count = basis.shape[1]
     chance = alone.every(run.chance)
     chance -= basis @ (basis.T @ chance)
-    turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
+    turned, deviation, _ = decomposed(chance)
     told = deviation > SLIGHT
     share = np.concatenate([np.ones(own_count), 1.0 - 1.0 / np.hypot(1.0, deviation[told])])
     return _OfRun(alone=alone, own=own_count, aside=np.hstack([basis, turned[:, told]]), share=share, sigma=run.sigma)
