@@ -12,7 +12,8 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.causes.signature import readings_of
 from trueaxis.diagnosis.causes.signatures import parameter_signature, signature_of
 from trueaxis.diagnosis.extend import named_effects, start_values
-from trueaxis.diagnosis.judging.instruments import Off, _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.judging.instruments import _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.judging.off import Off
 from trueaxis.diagnosis.null_model.base import WIDE, base_of
 from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.procedure import diagnose

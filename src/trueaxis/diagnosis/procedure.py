@@ -17,8 +17,8 @@ from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.further_runs.audit import audit
 from trueaxis.diagnosis.further_runs.prospect import prospect_of
 from trueaxis.diagnosis.judging.gain import fit, gain_by_unit, held_out, predicted
-from trueaxis.diagnosis.judging.instruments import Off
 from trueaxis.diagnosis.judging.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
+from trueaxis.diagnosis.judging.off import Off, with_instead
 from trueaxis.diagnosis.judging.scale_off import less_scale_off
 from trueaxis.diagnosis.judging.stale import Changes
 from trueaxis.diagnosis.null_model.base import given_by_chance
@@ -77,7 +77,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     null, off = less_scale_off(null, options.noise_um)
     data = _less(data, null.rows, off)
     null, ground, judged, changes = _with_runs(model, null, options)
-    judged = replace(judged, off=(*off, *judged.off))
+    judged = replace(judged, off=with_instead(null.rows, (*off, *judged.off)))
     # neither needs the other: where there are threads both are worked out at once
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground] if options.ahead else [])
     options.progress("gain")

@@ -16,8 +16,8 @@ from trueaxis.diagnosis.further_runs.next_runs import ahead_of, next_runs, separ
 from trueaxis.diagnosis.further_runs.of_plan import NextRun, Separating
 from trueaxis.diagnosis.further_runs.prospect import Prospect
 from trueaxis.diagnosis.judging.gain import Left, fit, predicted
-from trueaxis.diagnosis.judging.instruments import Off
 from trueaxis.diagnosis.judging.judgement import Judged
+from trueaxis.diagnosis.judging.off import Instead, Off
 from trueaxis.diagnosis.judging.stale import Changes
 from trueaxis.diagnosis.judging.verdict import verdict_of
 from trueaxis.diagnosis.null_model.null import Null
@@ -155,10 +155,10 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
         sentence=kind.sentence,
         formula=effect_latex(kind, off.effect),
         p_value=off.p_value,
-        evidence=-float(np.log10(max(off.p_value, 1e-300))),
+        evidence=_decades(off),
         rms=float(np.sqrt(np.mean(off.signal**2))),
         held_out_gain=0.0,
-        rivals=(),
+        rivals=tuple(_in_place(ground, off, one) for one in off.instead),
         amplitudes=(),
         homogeneous_p=1.0,
         remainder=False,
@@ -166,7 +166,24 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
     )
 
 
-def _parameters(kind: Kind, found: Fitted | Off) -> tuple[Estimate, ...]:
+def _in_place(ground: Ground, off: Off, one: Instead) -> Evidence:
+    """As likely as what is off: it makes the same of the readings."""
+    parameters = _parameters(ground.readings.model.machine.kinds[one.effect.kind], one)
+    return Evidence(
+        effect=one.effect,
+        evidence=_decades(off),
+        p_value=off.p_value,
+        tries=1.0,
+        freedom=one.values.size,
+        parameters=parameters,
+    )
+
+
+def _decades(off: Off) -> float:
+    return -float(np.log10(max(off.p_value, 1e-300)))
+
+
+def _parameters(kind: Kind, found: Fitted | Off | Instead) -> tuple[Estimate, ...]:
     return tuple(
         Estimate(one.name, float(value), float(u), unit_in(one.unit, found.effect))
         for one, value, u in zip(kind.parameters, found.values, found.u, strict=True)

@@ -186,7 +186,7 @@ KINDS: tuple[Kind, ...] = (
         expression="k*along",
         parameters=(Parameter(name="k", unit="1", meaning="relative error of all laser distances"),),
         sentence="wavelength of the laser: air temperature, pressure or humidity were not what was entered",
-        confused_with="length of the ball bar; scale of all axes",
+        confused_with="length of the ball bar; scale of all axes; laser_cosine, in a session of one line",
         broken_by="a calibrated step gauge, or a calibrated bar",
         instruments=("laser",),
     ),

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtr
 
+from trueaxis.diagnosis.judging.off import Off
 from trueaxis.diagnosis.null_model.base import LARGEST, WIDE, Base
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.noise_fit import NOISIEST
@@ -45,20 +46,6 @@ SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms o
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ
 MOST = 4  # instruments that are named
 TOLD = 1e-3  # of what is expected of an unknown: information below it is none
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Off:
-    """An instrument that is off in the runs of its effect.
-
-    values, u: of its parameters, mm or 1; signal: (n,), mm.
-    """
-
-    effect: Effect
-    values: FloatArray
-    u: FloatArray
-    p_value: float
-    signal: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -16,8 +16,9 @@ from trueaxis.diagnosis.causes.signatures import directions_of
 from trueaxis.diagnosis.judging.amplitudes import Uneven, amplitudes_of, unevenness
 from trueaxis.diagnosis.judging.carried import carried_by_one
 from trueaxis.diagnosis.judging.checks import fired_structure, run_checks
-from trueaxis.diagnosis.judging.instruments import Off, instruments_off
+from trueaxis.diagnosis.judging.instruments import instruments_off
 from trueaxis.diagnosis.judging.misfit import Known, misfits
+from trueaxis.diagnosis.judging.off import Off
 from trueaxis.diagnosis.judging.stale import Changes, stale_values
 from trueaxis.diagnosis.judging.structure import Check
 from trueaxis.diagnosis.judging.verdict import HOMOGENEOUS, explained_share, names_stand

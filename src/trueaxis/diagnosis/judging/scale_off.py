@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import ndtr
 
-from trueaxis.diagnosis.judging.instruments import FALSE_ALARMS, KINDS, Off
+from trueaxis.diagnosis.judging.instruments import FALSE_ALARMS, KINDS
+from trueaxis.diagnosis.judging.off import Off
 from trueaxis.diagnosis.judging.stale import ALIKE, free_besides, stale_values
 from trueaxis.diagnosis.null_model.freedom import freedom_of
 from trueaxis.diagnosis.null_model.null import Null, again

@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.diagnosis.causes.search import Ground, Search, cause_columns
 from trueaxis.diagnosis.causes.signature import Fitted
 from trueaxis.diagnosis.judging.amplitudes import Uneven
-from trueaxis.diagnosis.judging.instruments import Off
+from trueaxis.diagnosis.judging.off import Off
 from trueaxis.diagnosis.judging.structure import Check, StructureClass
 from trueaxis.diagnosis.null_model.projection import Projection
 from trueaxis.diagnosis.result import Stale, Verdict
@@ -104,11 +104,12 @@ def verdict_of(
     if misfits:
         return "unexplained_structure"
     if found.causes and stand:
-        return "ambiguous" if or_changed or any(one.rivals for one in found.causes) else "explained"
+        rivals = [*(one.rivals for one in found.causes), *(one.instead for one in off)]
+        return "ambiguous" if or_changed or any(rivals) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
     if off:
-        return "explained"
+        return "ambiguous" if any(one.instead for one in off) else "explained"
     return "recalibrate" if stale else "no_discrepancy"
 
 
