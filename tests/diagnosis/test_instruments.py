@@ -19,6 +19,7 @@ from trueaxis.diagnosis.null_model.outliers import null_of
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
+from trueaxis.measurement.setup import Device
 
 USUAL = 2e-3  # mm, of the zeros of runs
 
@@ -176,3 +177,20 @@ def off_in(values: FloatArray) -> list[Off]:
     case = straight()
     null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
     return list(instruments_off(null, np.zeros(null.rows.size)))
+
+
+@pytest.mark.parametrize("size", [0.012, -0.03])
+def test_a_bar_that_is_longer_in_every_session_is_one_cause(size: float) -> None:
+    """A session for each plane: at 12 um beyond 0.5 um nothing was said, at 30 um four zeros were named of six."""
+    rows, device = given().rows, Device(id="bar", length_u=5e-4)
+    runs = [
+        replace(one, device=device, session=one.id[:2]) if one.instrument == "ballbar" else one for one in rows.runs
+    ]
+    bars = [one.id for one in runs if one.instrument == "ballbar"]
+    assert len({one.session for one in runs if one.instrument == "ballbar"}) > 1
+    zeros = np.random.default_rng(3).normal(0.0, 3e-4, len(runs))
+    values = SIGMA * np.random.default_rng(4).standard_normal(rows.size) + zeros[rows.run] + size * places(*bars)
+    null = null_of(given().model, replace(rows, runs=tuple(runs)), values, 1e3 * SIGMA)
+    (off,) = instruments_off(null, np.zeros(null.rows.size))
+    assert off.effect == Effect(kind="ballbar_length")
+    assert off.values == pytest.approx([size], abs=5e-4)

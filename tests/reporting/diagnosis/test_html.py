@@ -70,7 +70,7 @@ def test_the_page_begins_with_what_was_measured_by_whom_and_with_what() -> None:
     for said in ("one &amp; all", "2024-05-06", "XL &lt;7&gt;", "Monday, Tuesday", "320", "1.5", "20.1\N{EN DASH}21.4"):
         assert said in section
     section = text[text.index('<section id="errors"') : text.index('<section id="causes"')]
-    for said in ("EXX", "4.00", "6.10", "2.10", "0.30", "EC0Y", "nothing: as given"):
+    for said in ("EXX", "4.00", "6.10", "2.10", "0.30", "EC0Y", "no reading"):
         assert said in section
     assert 'id="errors"' not in words_html(replace(builders.diagnosis("explained"), errors=()))
     without = replace(builders.diagnosis("explained"), report={}, measured=builders.diagnosis("explained").measured[1:])
@@ -141,7 +141,9 @@ def test_a_verdict_without_cause_names_none() -> None:
     assert "lines of X, between directions (3.00 \u00b5m RMS)" in page("unexplained_structure").text.replace(
         "\u00a0", " "
     )
-    assert "by chance with a probability of 1 \u00d7 10\u207b\u2078" in page("recalibrate").text.replace("\u00a0", " ")
+    assert "as far from them with a probability of 1 \u00d7 10\u207b\u2078" in page("recalibrate").text.replace(
+        "\u00a0", " "
+    )
 
 
 def test_a_cause_is_told_with_all_that_belongs_to_it() -> None:

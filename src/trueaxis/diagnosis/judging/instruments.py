@@ -230,13 +230,16 @@ def _of_class(information: FloatArray, asked: FloatArray, at: IntArray) -> tuple
 
 
 def _together(null: Null, kind: str, members: Sequence[_OfRun]) -> Iterator[_Unknown]:
-    """Runs by one bar, or else of one set-up and session, that agree are one; where they do not, each is by itself."""
+    """Runs by one bar, or else by it in a session, or of one set-up and session, that agree are one; where they do not,
+    each is by itself.
+    """
     differ = USUAL * float(np.median(np.abs(np.concatenate([one.value for one in members]))))
     runs = {one.place: null.base.runs[one.place].rows for one in members}
     setup = {place: int(null.rows.mounted[run.at[0]]) for place, run in runs.items()}
-    of_bar = {place: (run.run.session, run.run.device, run.run.length) for place, run in runs.items()}
+    of_bar = {place: (run.run.device, run.run.length) for place, run in runs.items()}
+    in_session = {place: (run.run.session, *of_bar[place]) for place, run in runs.items()}
     left = list(members)
-    for key in (of_bar, setup) if kind == "ballbar zero" else (setup,):
+    for key in (of_bar, in_session, setup) if kind == "ballbar zero" else (setup,):
         groups: dict[object, list[_OfRun]] = {}
         for one in left:
             groups.setdefault(key[one.place], []).append(one)
@@ -247,19 +250,20 @@ def _together(null: Null, kind: str, members: Sequence[_OfRun]) -> Iterator[_Unk
             expected = _expected_of(runs[group[0].place].run, kind)
             if (np.abs(value - mean) <= min(expected[0], differ) + 3.0 * u).all():
                 name = "ballbar length" if len({setup[one.place] for one in group}) > 1 else kind
+                expected = _expected_of(runs[group[0].place].run, kind, len(group))
                 yield from _unknowns(null, name, expected, group, mean, weight.sum(axis=0) ** -0.5)
                 left = [one for one in left if one not in group]
     for one in left:
         yield from _unknowns(null, kind, _expected_of(runs[one.place].run, kind), [one], one.value, one.u)
 
 
-def _expected_of(run: Run, kind: str) -> tuple[float, float]:
+def _expected_of(run: Run, kind: str, together: int = 1) -> tuple[float, float]:
     """Of an unknown of a run, one standard deviation, and by what it may be wrong: as its device's table states, else
-    as its class is.
+    as its class is. together: how many runs it is the mean of, of which each was zeroed.
     """
     known = CLASSES[WHOLE.get(kind, kind)]
     if kind == "ballbar zero" and run.device is not None and run.device.length_u is not None:
-        return float(np.hypot(run.device.length_u, CLASSES[kind].size)), STATED_FACTOR
+        return float(np.hypot(run.device.length_u, CLASSES[kind].size / np.sqrt(together))), STATED_FACTOR
     return known.size, known.factor
 
 

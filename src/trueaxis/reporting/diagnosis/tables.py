@@ -76,7 +76,7 @@ def measured(diagnosis: Diagnosis) -> Table:
 
 def errors(diagnosis: Diagnosis) -> Table:
     """All errors of the machine: as given, as these readings have them, and by what they have changed."""
-    said = {"data": "readings", "partly": "readings, partly", "prior": "nothing: as given"}
+    said = {"data": "readings", "partly": "readings, partly", "prior": "no reading"}
     rows = tuple(
         (
             one.name,
@@ -93,7 +93,7 @@ def errors(diagnosis: Diagnosis) -> Table:
     )
     head = ("error", "given", "now", "change", "u", "change determined by")
     return Table(
-        caption="Largest over the travel; u: standard uncertainty of the change",
+        caption="Largest over the travel; u: standard uncertainty of the change; what no reading tells stays as given",
         head=head,
         rows=rows,
         numbers=frozenset(range(1, 5)),

@@ -214,7 +214,7 @@ def _detail(diagnosis: Diagnosis) -> str:
             changed.append(f"{more} more, listed below")
         listed = f"Changed: {'; '.join(changed)}. " if changed else ""
         p = probability(diagnosis.recalibration_p)
-        return f"{listed}True values would look as stale by chance with a probability of {p}."
+        return f"{listed}Were all values given true, readings would be as far from them with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis.checks)
         said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]

@@ -214,8 +214,8 @@ def whiteness(diagnosis: Diagnosis) -> list[Picture]:
             "autocorrelation",
             "Autocorrelation of the whitened residuals",
             f"Autocorrelation up to lag {lags.size}; {outside} of {lags.size} lie outside the 95 % band.",
-            f"From one reading of a run to later ones; {outside} of {lags.size} outside the 95 % band "
-            f"(chance: {0.05 * lags.size:.1f}).",
+            f"From one reading of a run to later ones; {outside} of {lags.size} outside the 95 % band of independent "
+            f"readings (chance: {0.05 * lags.size:.1f}; curves that were fitted to them move some more out of it).",
             lambda: _correlogram(lags, correlation, bound),
         ),
     ]
