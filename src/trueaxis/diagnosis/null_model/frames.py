@@ -7,7 +7,6 @@ import numpy as np
 
 from trueaxis.diagnosis.null_model.rows import Rows
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.estimation.factors import decomposed
 from trueaxis.estimation.runs import measurements
 from trueaxis.measurement.reading_model import sensed_directions
 from trueaxis.model.model import MachineModel
@@ -67,7 +66,7 @@ def _along_bed(model: MachineModel, rows: Rows, mine: slice) -> FloatArray:
 def _left_of(direction: FloatArray, spanned: Sequence[FloatArray]) -> FloatArray:
     """(m,): length of what is left of directions (3, m) beside those that others sense at the same place."""
     others = np.stack([*spanned, np.zeros_like(direction)], axis=2).transpose(1, 0, 2)  # (m, 3, k)
-    axes, strength, _ = decomposed(others)
+    axes, strength, _ = np.linalg.svd(others, full_matrices=False)
     axes = axes * (strength > NEW)[:, np.newaxis, :]
     own = direction.T[:, :, np.newaxis]
     return np.asarray(np.linalg.norm(own - axes @ (axes.transpose(0, 2, 1) @ own), axis=(1, 2)))
