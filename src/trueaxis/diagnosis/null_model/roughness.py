@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, Base, base_of
+from trueaxis.diagnosis.null_model.base import ROUGH, Base, base_of
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.freedom import Freedom
 from trueaxis.diagnosis.null_model.null import Null
@@ -52,8 +52,8 @@ class Higher:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Roughness:
-    """Of every component that has no degrees beyond the base yet. higher: (n, k) columns of these, whitened; products:
-    (k, k), of what the base without causes leaves of them; local: see `Higher`.
+    """higher: (n, k) columns of each component beyond the base, whitened; products: (k, k), of what the base without
+    causes leaves of them; local: see `Higher`.
     """
 
     higher: Mapping[str, ByRun]
@@ -109,26 +109,26 @@ def _of_places(
         yield dense @ local[:, best] * (inside[best] / size[best]), 1, float(np.log10(size.size))
 
 
-def _local(base: Base, name: str, rows: Rows) -> FloatArray:
-    """(k, m): local changes of a component, by its degrees beyond `DEGREE`, as the columns of the base have them; none
-    beyond where it turns round.
-    """
+def _local(base: Base, name: str, rows: Rows, beyond: slice) -> FloatArray:
+    """(k, m): local changes of a component, by its degrees beyond others, as the columns of the base have them."""
     at, curve = base.curve(name, rows)
-    apart = np.ptp(at) / ROUGH
-    places = np.linspace(at[0], at[-1], 2 * ROUGH + 1)
+    highest = max(beyond.stop, ROUGH)
+    apart = np.ptp(at) / highest
+    places = np.linspace(at[0], at[-1], 2 * highest + 1)
     bumps = [np.exp(-0.5 * ((at[:, np.newaxis] - places) / (width * apart)) ** 2) for width in WIDTHS]
     expected = base.expected[np.flatnonzero(np.array(base.components) == name)]
     found = expected[:, np.newaxis] * np.linalg.lstsq(curve, np.hstack(bumps), rcond=None)[0]
-    return np.asarray(found[DEGREE : base.bases[name].degree])
+    return np.asarray(found[beyond])
 
 
 def higher_of(model: MachineModel, null: Null) -> Higher:
     """Linear in the number of readings, times columns of all components."""
-    names = [name for name in null.base.bases if name not in null.base.rough]
-    base = base_of(model, null.rows, names)
+    names = list(null.base.bases)
+    base = base_of(model, null.rows, (*null.base.rough, *names))
     of_component = np.array(base.components)
-    higher = {name: np.flatnonzero(of_component == name)[DEGREE : base.bases[name].degree] for name in names}
-    local = {name: _local(base, name, null.rows) for name in names}
+    beyond = {name: slice(null.base.bases[name].degree, base.bases[name].degree) for name in names}
+    higher = {name: np.flatnonzero(of_component == name)[beyond[name]] for name in names}
+    local = {name: _local(base, name, null.rows, beyond[name]) for name in names}
     return Higher(base=null.base, columns=base.machine, places=higher, local=local)
 
 

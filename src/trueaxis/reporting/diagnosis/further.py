@@ -149,7 +149,8 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
     for cause in diagnosis.causes:
         if cause.rivals:
             titles = [lower_case(title) for title in alternatives(cause)]
-            yield f"{enumerated(titles)} predict readings that differ by less than real effects do from their form"
+            alike = "make the same of these readings, but for less than real effects deviate from their formulas"
+            yield f"{enumerated(titles)} {alike}"
     if diagnosis.outliers:
         count = len(diagnosis.outliers)
         yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
