@@ -368,7 +368,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
     assert not re.search(r"(?<![\w-])-\d", text)
     assert "higher by 4" in text
     assert "thermal offset and warm up cannot be seen" in text
-    assert "servo lag in EXX and servo lag in EXX predict" in text
+    assert "servo lag in EXX and servo lag in EXX make the same of these readings" in text
     assert "separates it from thermal offset in EXX" in text
     assert "without time_s:" in text  # the name of a column, to be typed so
     assert text.count("servo_lag") == 1  # once, as a spec has it
