@@ -60,16 +60,22 @@ class Roughness:
     products: Mapping[str, FloatArray]
     local: Mapping[str, FloatArray]
 
-    def roughest(self, projection: Projection, values: FloatArray, freedom: Freedom) -> Rough | None:
-        """Of what the base, with causes, leaves of the readings, (n,) whitened; None where none explains any of it."""
+    def roughest(
+        self, projection: Projection, values: FloatArray, freedom: Freedom, *, local: bool = False
+    ) -> Rough | None:
+        """Of what the base, with causes, leaves of the readings, (n,) whitened; None where none explains any of it.
+
+        local: whether changes at one place are looked at, too: what the base leaves of these looks periodic.
+        """
         left, every = projection.rest(values), np.arange(values.size)
         back, found = projection.rest_transposed(left), []
         for name, columns in self.higher.items():
             dense = columns.dense()  # of one at a time: all would be as large as the base
             of_causes = projection.inner_causes.T @ dense
             products = self.products[name] - of_causes.T @ of_causes
-            of_degrees = _of_degrees(projection, dense, products, left)
-            for combination, k, tries in (*of_degrees, *_of_places(self.local[name], dense, products, back)):
+            each = list(_of_degrees(projection, dense, products, left))
+            each += _of_places(self.local[name], dense, products, back) if local else ()
+            for combination, k, tries in each:
                 statistic = float(combination @ back)
                 if k == 0 or statistic <= 0.0:
                     continue
