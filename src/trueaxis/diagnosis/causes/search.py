@@ -160,7 +160,11 @@ def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least
     """The component whose rougher curve explains about as much beside causes as the rival, or more; else empty."""
     if ground.roughness is None:
         return ""
-    periodic = rival is not None and any(one.grid == "pitch" for one in rival.signature.kind.parameters)
+    periodic = (
+        rival is not None
+        and rival.scan.evidence >= least  # only what would have a name
+        and any(one.grid == "pitch" for one in rival.signature.kind.parameters)
+    )
     projection = beside_causes(ground, causes)
     rough = ground.roughness.roughest(projection, ground.values, ground.freedom, local=periodic)
     if rough is None or rough.evidence < least or (rival and rival.scan.preference > rough.preference + RIVAL):
