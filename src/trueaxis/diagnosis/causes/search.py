@@ -157,19 +157,25 @@ def _told(ground: Ground, effect: Effect, causes: Sequence[Found]) -> bool:
 
 
 def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least: float) -> str:
-    """The component whose rougher curve explains about as much beside causes as the rival, or more; else empty."""
+    """The component whose rougher curve explains about as much beside causes as the rival, or more; else empty.
+
+    What a periodic error leaves in its own component is a period that is not quite right, and no rougher curve.
+    """
     if ground.roughness is None:
         return ""
-    periodic = (
-        rival is not None
-        and rival.scan.evidence >= least  # only what would have a name
-        and any(one.grid == "pitch" for one in rival.signature.kind.parameters)
-    )
+    named = rival is not None and rival.scan.evidence >= least  # what is left without a name is not looked at closely
     projection = beside_causes(ground, causes)
-    rough = ground.roughness.roughest(projection, ground.values, ground.freedom, local=periodic)
+    rough = ground.roughness.roughest(
+        projection, ground.values, ground.freedom, local=named and rival is not None and _is_periodic(rival)
+    )
     if rough is None or rough.evidence < least or (rival and rival.scan.preference > rough.preference + RIVAL):
         return ""
-    return rough.component
+    waves = {one.scan.effect.component for one in causes if _is_periodic(one)}
+    return "" if rough.component in waves else rough.component
+
+
+def _is_periodic(one: Found) -> bool:
+    return any(parameter.grid == "pitch" for parameter in one.signature.kind.parameters)
 
 
 def search_of(ground: Ground, causes: Sequence[Found], first: tuple[Scanned, ...]) -> Search:

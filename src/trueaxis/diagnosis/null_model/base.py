@@ -6,7 +6,7 @@ alignment of a laser are known to parts in a million, the length of a probe to h
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -32,7 +32,6 @@ from trueaxis.model.uncertainty import open_steps
 
 DEGREE = 12
 ROUGH = 28  # of a curve that is rougher: of nine waves over the travel, which is as rough as pitch tables are
-FINER = 3  # times as rough, where a change is so local that even this leaves some of it
 LARGEST = 256.0  # times what [prior] expects of an error: beyond, it is none of a machine
 # of errors of the machine, in what [prior] expects of them: values given are nearly right, or zero, or [prior] is wrong
 SIZES = (1 / 16, 1 / 4, 1.0, 4.0)
@@ -51,8 +50,8 @@ class Base:
     """Columns in mm, not whitened, of n readings.
 
     columns: (n, p), per unknown in its unit, see `sizes`: those of the machine, then those of set-ups that
-    runs share; of_machine: how many are the machine's; rough: components of higher degrees, see `rough_degree`, as
-    often as they were found rougher; components: the component
+    runs share; of_machine: how many are the machine's; rough: components of higher degrees, see `rough_degree`;
+    components: the component
     error or location error of each of the machine's; units: `mm` or `rad` of each component and location error;
     expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units; bases: of
     the curves; by_chance: (n, k), one standard deviation each; shared: the unknowns of the columns of set-ups, then of
@@ -149,7 +148,7 @@ def _few_of_run(parts: Sequence[Derivative]) -> tuple[FloatArray, FloatArray]:
     return block_diag(*(one.by_few for one in parts)), np.vstack([one.others for one in parts])
 
 
-def base_of(model: MachineModel, rows: Rows, rough: Sequence[str] = (), degree: int = DEGREE) -> Base:
+def base_of(model: MachineModel, rows: Rows, rough: Collection[str] = (), degree: int = DEGREE) -> Base:
     """The base of some rows; dimensions keep the values that the model has.
 
     degree: of the curves, but for those of rough components.
@@ -172,7 +171,7 @@ def base_of(model: MachineModel, rows: Rows, rough: Sequence[str] = (), degree: 
         observed,
         known,
         degree=degree,
-        other_degrees={ErrorName(name): rough_degree(rows, name, rough.count(name)) for name in rough},
+        other_degrees={ErrorName(name): rough_degree(rows, name) for name in rough},
     )
     runs = measured_runs(observed)
     parts = [list(derivatives(layout, one.rows)) for one in runs]
@@ -236,19 +235,18 @@ def _of_balls(balls: Sequence[SharedUnknown], run: MeasuredRun, own: FloatArray,
     return np.column_stack([*found, np.zeros((own.shape[0], 0))])
 
 
-def rough_degree(rows: Rows, component: str, times: int = 1) -> int:
-    """Of a curve that was found rougher once, or several times: no more than one for two positions at which a run was
-    read, or all together, else it would follow anything.
+def rough_degree(rows: Rows, component: str) -> int:
+    """Of a rougher curve: no more than one for two positions at which a run was read, or all together, else it would
+    follow anything.
 
     Lines at targets of their own tell such a curve together. On four lines of 15 targets it was out of reach, and what
     a change of 3 um over 60 mm left was called a periodic error of 130 mm.
     """
     at = rows.positions[rows.axes.index(ErrorName(component).axis)]
     of_run = max(np.unique(at[rows.of_run(index)]).size for index in rows.present)
-    highest = int(ROUGH * FINER ** (times - 1))
-    apart = np.ptp(at) / (2 * highest)  # nearer positions tell no more of the roughest curve than one
+    apart = np.ptp(at) / (2 * ROUGH)  # nearer positions tell no more of the roughest curve than one
     together = np.unique(np.floor((at - at.min()) / apart)).size if apart > 0.0 else 1
-    return max(DEGREE, min(highest, max(of_run, together) // 2))
+    return max(DEGREE, min(ROUGH, max(of_run, together) // 2))
 
 
 def given_by_chance(model: MachineModel, base: Base, covariance: Covariance) -> FloatArray:

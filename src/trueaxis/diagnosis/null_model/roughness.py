@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnosis.null_model.base import ROUGH, Base, base_of
+from trueaxis.diagnosis.null_model.base import DEGREE, ROUGH, Base, base_of
 from trueaxis.diagnosis.null_model.by_run import ByRun
 from trueaxis.diagnosis.null_model.freedom import Freedom
 from trueaxis.diagnosis.null_model.null import Null
@@ -118,9 +118,8 @@ def _of_places(
 def _local(base: Base, name: str, rows: Rows, beyond: slice) -> FloatArray:
     """(k, m): local changes of a component, by its degrees beyond others, as the columns of the base have them."""
     at, curve = base.curve(name, rows)
-    highest = max(beyond.stop, ROUGH)
-    apart = np.ptp(at) / highest
-    places = np.linspace(at[0], at[-1], 2 * highest + 1)
+    apart = np.ptp(at) / ROUGH
+    places = np.linspace(at[0], at[-1], 2 * ROUGH + 1)
     bumps = [np.exp(-0.5 * ((at[:, np.newaxis] - places) / (width * apart)) ** 2) for width in WIDTHS]
     expected = base.expected[np.flatnonzero(np.array(base.components) == name)]
     found = expected[:, np.newaxis] * np.linalg.lstsq(curve, np.hstack(bumps), rcond=None)[0]
@@ -129,10 +128,10 @@ def _local(base: Base, name: str, rows: Rows, beyond: slice) -> FloatArray:
 
 def higher_of(model: MachineModel, null: Null) -> Higher:
     """Linear in the number of readings, times columns of all components."""
-    names = list(null.base.bases)
-    base = base_of(model, null.rows, (*null.base.rough, *names))
+    names = [name for name in null.base.bases if name not in null.base.rough]
+    base = base_of(model, null.rows, names)
     of_component = np.array(base.components)
-    beyond = {name: slice(null.base.bases[name].degree, base.bases[name].degree) for name in names}
+    beyond = {name: slice(DEGREE, base.bases[name].degree) for name in names}
     higher = {name: np.flatnonzero(of_component == name)[beyond[name]] for name in names}
     local = {name: _local(base, name, null.rows, beyond[name]) for name in names}
     return Higher(base=null.base, columns=base.machine, places=higher, local=local)
