@@ -105,6 +105,15 @@ def test_a_curve_is_no_rougher_than_the_positions_at_which_it_was_read() -> None
     assert {name: one.degree for name, one in base.bases.items() if one.degree != DEGREE} == {"EXX": 15}
 
 
+def test_an_axis_that_stands_has_no_local_changes() -> None:
+    """A warning of NumPy stood in the output: its range is divided by."""
+    given = field(PLAN)
+    rows = given.readings.rows
+    still = replace(rows, positions=np.where(np.arange(3)[:, np.newaxis] == 2, 0.0, rows.positions))
+    base = base_of(given.readings.model, rows)
+    assert _local(base, "EXZ", still, slice(DEGREE, ROUGH)).shape == (ROUGH - DEGREE, 0)
+
+
 def changed(given: Prepared, values: FloatArray) -> MeasuredData:
     readings = given.data.readings
     added = np.zeros(readings.reading.size)

@@ -116,9 +116,13 @@ def _of_places(
 
 
 def _local(base: Base, name: str, rows: Rows, beyond: slice) -> FloatArray:
-    """(k, m): local changes of a component, by its degrees beyond others, as the columns of the base have them."""
+    """(k, m): local changes of a component, by its degrees beyond others, as the columns of the base have them; none
+    of an axis that stands.
+    """
     at, curve = base.curve(name, rows)
     apart = np.ptp(at) / ROUGH
+    if apart == 0.0:  # of an axis that stands
+        return np.zeros((beyond.stop - beyond.start, 0))
     places = np.linspace(at[0], at[-1], 2 * ROUGH + 1)
     bumps = [np.exp(-0.5 * ((at[:, np.newaxis] - places) / (width * apart)) ** 2) for width in WIDTHS]
     expected = base.expected[np.flatnonzero(np.array(base.components) == name)]
