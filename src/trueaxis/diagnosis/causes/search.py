@@ -163,11 +163,10 @@ def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least
     """
     if ground.roughness is None:
         return ""
-    named = rival is not None and rival.scan.evidence >= least  # what is left without a name is not looked at closely
+    # one that would have no name is not in doubt
+    periodic = rival is not None and rival.scan.evidence >= least and _is_periodic(rival)
     projection = beside_causes(ground, causes)
-    rough = ground.roughness.roughest(
-        projection, ground.values, ground.freedom, local=named and rival is not None and _is_periodic(rival)
-    )
+    rough = ground.roughness.roughest(projection, ground.values, ground.freedom, local=periodic)
     if rough is None or rough.evidence < least or (rival and rival.scan.preference > rough.preference + RIVAL):
         return ""
     waves = {one.scan.effect.component for one in causes if _is_periodic(one)}
@@ -175,6 +174,7 @@ def _rougher(ground: Ground, causes: Sequence[Found], rival: Found | None, least
 
 
 def _is_periodic(one: Found) -> bool:
+    """Whether a pitch is among its parameters."""
     return any(parameter.grid == "pitch" for parameter in one.signature.kind.parameters)
 
 

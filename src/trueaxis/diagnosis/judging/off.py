@@ -12,7 +12,7 @@ from trueaxis.effects.kind import Effect
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Instead:
-    """An effect that makes the same of the readings; values, u: of its parameters."""
+    """An effect that makes the same of the readings; values, u: of its parameters, mm, rad or 1."""
 
     effect: Effect
     values: FloatArray

@@ -51,8 +51,7 @@ class Base:
 
     columns: (n, p), per unknown in its unit, see `sizes`: those of the machine, then those of set-ups that
     runs share; of_machine: how many are the machine's; rough: components of higher degrees, see `rough_degree`;
-    components: the component
-    error or location error of each of the machine's; units: `mm` or `rad` of each component and location error;
+    components: the component error or location error of each of the machine's; units: `mm` or `rad` of each of these;
     expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units; bases: of
     the curves; by_chance: (n, k), one standard deviation each; shared: the unknowns of the columns of set-ups, then of
     these; own: (n_r, k) of every run with readings; own_kinds: the class of each of these; runs: these runs.

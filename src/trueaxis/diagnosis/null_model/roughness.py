@@ -121,7 +121,7 @@ def _local(base: Base, name: str, rows: Rows, beyond: slice) -> FloatArray:
     """
     at, curve = base.curve(name, rows)
     apart = np.ptp(at) / ROUGH
-    if apart == 0.0:  # of an axis that stands
+    if apart == 0.0:
         return np.zeros((beyond.stop - beyond.start, 0))
     places = np.linspace(at[0], at[-1], 2 * ROUGH + 1)
     bumps = [np.exp(-0.5 * ((at[:, np.newaxis] - places) / (width * apart)) ** 2) for width in WIDTHS]
